@@ -1,0 +1,8 @@
+//! The only place for arguments, environment, terminal, paths and Ctrl-C.
+
+use std::process::ExitCode;
+
+/// Runs the program with the arguments of the process.
+pub fn main() -> ExitCode {
+    ExitCode::SUCCESS
+}

@@ -1,0 +1,172 @@
+//! Holds what an engine says is inside it against the scene, before anything runs.
+//!
+//! A scene that did not arrive as written makes every later number worthless, and nothing later would notice.
+
+use crate::physics::{Cloth, Contact, Cushion};
+use crate::scene::{Ball, Scene};
+
+/// What an engine holds, read back from inside it and not from what it was given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inside {
+    /// Every ball in scene order.
+    pub balls: Vec<Ball>,
+    /// Moment of inertia of every ball; `None` where the engine does not let it rotate.
+    pub inertia: Vec<Option<f64>>,
+    /// Kinetic energy as the engine computes it.
+    pub energy: f64,
+    /// Effective friction and restitution of every kind of pair, after any combination rule.
+    pub materials: Vec<PairMaterial>,
+    /// Spacing of the engine's numbers just above 1: 2.2e-16 in f64, 1.2e-7 in f32.
+    pub ulp: f64,
+}
+
+/// What a ball can meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Partner {
+    /// Another ball.
+    Ball,
+    /// The cloth.
+    Cloth,
+    /// A cushion.
+    Cushion,
+}
+
+/// Effective material of the contact of a ball with a partner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairMaterial {
+    /// Index of the ball.
+    pub ball: usize,
+    /// What it meets.
+    pub partner: Partner,
+    /// Effective coefficient of friction.
+    pub friction: f64,
+    /// Effective coefficient of restitution.
+    pub restitution: f64,
+}
+
+/// Every difference between a scene and what an engine holds, each in one sentence.
+///
+/// Numbers may differ by 4 ulp of the engine's scalar (a product and a quotient of rounded inputs), relative to the
+/// larger of the two.
+pub fn differences(scene: &Scene, inside: &Inside) -> Vec<String> {
+    let mut check = Check {
+        ulp: inside.ulp,
+        found: Vec::new(),
+    };
+    if inside.balls.len() != scene.balls.len() {
+        check.found.push(format!(
+            "{} balls instead of {}",
+            inside.balls.len(),
+            scene.balls.len()
+        ));
+        return check.found;
+    }
+    for (i, (got, want)) in inside.balls.iter().zip(&scene.balls).enumerate() {
+        let at = |what: &str| format!("{what} of ball {}", want.id);
+        if got.id != want.id {
+            check
+                .found
+                .push(format!("ball {} is called {}", want.id, got.id));
+        }
+        let vectors = [
+            ("position", got.state.position, want.state.position),
+            ("velocity", got.state.velocity, want.state.velocity),
+            ("spin", got.state.spin, want.state.spin),
+        ];
+        for (what, g, w) in vectors {
+            for (axis, name) in ["x", "y", "z"].iter().enumerate() {
+                check.number(&at(&format!("{what} {name}")), g[axis], w[axis]);
+            }
+        }
+        check.number(&at("mass"), got.mass, want.mass);
+        check.number(&at("radius"), got.radius, want.radius);
+        check.inertia(
+            &at("inertia"),
+            inside.inertia.get(i).copied().flatten(),
+            scene.inertia(i),
+        );
+    }
+    check.number("kinetic energy", inside.energy, scene.initial_energy());
+    check.materials(scene, inside);
+    check.found
+}
+
+struct Check {
+    ulp: f64,
+    found: Vec<String>,
+}
+
+impl Check {
+    fn number(&mut self, what: &str, got: f64, want: f64) {
+        // false for NaN as well
+        let close = (got - want).abs() <= 4.0 * self.ulp * got.abs().max(want.abs());
+        if !close {
+            self.found
+                .push(format!("{what} is {got} instead of {want}"));
+        }
+    }
+
+    fn inertia(&mut self, what: &str, got: Option<f64>, want: Option<f64>) {
+        match (got, want) {
+            (Some(g), Some(w)) => self.number(what, g, w),
+            (None, None) => {}
+            (Some(g), None) => self.found.push(format!(
+                "{what} is {g}, but the scene calls for no rotation"
+            )),
+            (None, Some(w)) => self.found.push(format!("{what} is locked instead of {w}")),
+        }
+    }
+
+    fn materials(&mut self, scene: &Scene, inside: &Inside) {
+        for ball in 0..scene.balls.len() {
+            for partner in expected_partners(scene) {
+                let at = |what: &str| {
+                    format!("{what} of ball {} with a {partner:?}", scene.balls[ball].id)
+                };
+                let found = inside
+                    .materials
+                    .iter()
+                    .find(|m| m.ball == ball && m.partner == partner);
+                let Some(material) = found else {
+                    self.found.push(at("no material"));
+                    continue;
+                };
+                let (friction, restitution) = expected_material(scene, partner);
+                self.number(&at("friction"), material.friction, friction);
+                self.number(&at("restitution"), material.restitution, restitution);
+            }
+        }
+    }
+}
+
+fn expected_partners(scene: &Scene) -> Vec<Partner> {
+    let mut partners = Vec::new();
+    if scene.effects.contact.is_some() && scene.balls.len() > 1 {
+        partners.push(Partner::Ball);
+    }
+    if scene.effects.cloth.is_some() {
+        partners.push(Partner::Cloth);
+    }
+    if scene.effects.cushion.is_some() && scene.table.is_some() {
+        partners.push(Partner::Cushion);
+    }
+    partners
+}
+
+/// Friction and restitution that the scene's laws mean for a partner.
+fn expected_material(scene: &Scene, partner: Partner) -> (f64, f64) {
+    match partner {
+        Partner::Ball => match scene.effects.contact {
+            Some(Contact::Elastic {}) => (0.0, 1.0),
+            None => (0.0, 0.0),
+        },
+        Partner::Cloth => match scene.effects.cloth {
+            Some(Cloth::Translational { mu }) => (mu, 0.0),
+            None => (0.0, 0.0),
+        },
+        Partner::Cushion => match scene.effects.cushion {
+            Some(Cushion::Elastic {}) => (0.0, 1.0),
+            None => (0.0, 0.0),
+        },
+    }
+}

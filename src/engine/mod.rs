@@ -1,0 +1,155 @@
+//! The border between scenes and engines: what an engine is, and the only way to a run.
+//!
+//! [`prepare`] asks what is missing, builds the run, and audits that what is inside the engine is the scene. Inside this
+//! module no engine knows another; adding one is a folder and one line in [`ENGINES`].
+
+mod audit;
+pub mod exact;
+pub mod rapier;
+mod setting;
+pub mod sheet;
+pub mod stepper;
+
+pub use audit::{Inside, PairMaterial, Partner};
+pub use setting::{Knob, Setting};
+pub use sheet::{Parameter, Role};
+
+use crate::physics::invariants::Invariant;
+use crate::scene::Scene;
+use crate::trace::{Record, Trace};
+use std::sync::atomic::{AtomicBool, Ordering};
+use thiserror::Error;
+
+/// Every engine of the workbench, in the order in which reports list them.
+pub static ENGINES: &[&dyn Engine] = &[
+    &stepper::Stepper,
+    &exact::Exact,
+    &rapier::RAPIER_F64,
+    &rapier::RAPIER_F32,
+];
+
+/// One way to simulate a scene.
+pub trait Engine: Sync {
+    /// Unique kebab-case name.
+    fn id(&self) -> &'static str;
+
+    /// Name and version of what does the work, such as `rapier3d-f64 0.36.1`.
+    fn version(&self) -> String;
+
+    /// What it is and how it solves in time, in one sentence; and which code it shares with other engines.
+    fn about(&self) -> About;
+
+    /// The knobs of `--set`, with meaning and default.
+    fn knobs(&self) -> Vec<Knob>;
+
+    /// What the scene calls for and the engine cannot simulate; empty when it can run the scene.
+    fn missing(&self, scene: &Scene) -> Vec<&'static str>;
+
+    /// Invariants that hold for every run of the scene with this setting; a trace that breaks one is a defect.
+    fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant>;
+
+    /// Named families of settings from coarse to fine, for a study of cost.
+    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)>;
+
+    /// Builds a run. Call [`prepare`] instead, which also asks and audits.
+    fn prepare<'a>(
+        &self,
+        scene: &'a Scene,
+        setting: &Setting,
+    ) -> Result<Box<dyn Run + 'a>, Refusal>;
+}
+
+/// What a reader should know of an engine before believing its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct About {
+    /// How it solves in time, in one sentence.
+    pub method: &'static str,
+    /// Code it shares with other engines; what two engines share cannot be tested by comparing them.
+    pub shares: &'static str,
+}
+
+/// A scene that is inside an engine and ready to run.
+pub trait Run {
+    /// What the engine holds, read back from inside it.
+    fn inside(&self) -> Inside;
+
+    /// Every parameter that changes physics.
+    fn sheet(&self) -> Vec<Parameter>;
+
+    /// Runs to an [`crate::trace::Ending`]; cannot fail.
+    fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace;
+}
+
+/// What may end a run early.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits<'a> {
+    /// Largest number of events of an event-driven engine.
+    pub max_events: u64,
+    /// Set when the user asks to stop.
+    pub cancelled: &'a AtomicBool,
+}
+
+/// A flag that nobody sets.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl Limits<'static> {
+    /// Ten million events, never cancelled.
+    pub const NONE: Limits<'static> = Limits {
+        max_events: 10_000_000,
+        cancelled: &NEVER,
+    };
+}
+
+impl Limits<'_> {
+    /// True once the user asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+/// Why nothing ran.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The engine cannot simulate what the scene calls for.
+    #[error("cannot simulate {}", missing.join(", "))]
+    NotComparable {
+        /// What it lacks: ids of effects, or a phrase.
+        missing: Vec<&'static str>,
+    },
+    /// A setting is unknown, of the wrong type, or out of range.
+    #[error("{message}")]
+    Setting {
+        /// What is wrong and what would be right.
+        message: String,
+    },
+    /// What arrived inside the engine is not the scene.
+    #[error("the scene did not arrive in the engine as written: {}", differs.join("; "))]
+    Audit {
+        /// Each difference in one sentence.
+        differs: Vec<String>,
+    },
+}
+
+/// The engine called `id`.
+pub fn find(id: &str) -> Option<&'static dyn Engine> {
+    ENGINES.iter().copied().find(|engine| engine.id() == id)
+}
+
+/// The only way to a run: asks what is missing, builds, and audits what is inside.
+pub fn prepare<'a>(
+    engine: &dyn Engine,
+    scene: &'a Scene,
+    setting: &Setting,
+) -> Result<Box<dyn Run + 'a>, Refusal> {
+    let missing = engine.missing(scene);
+    if !missing.is_empty() {
+        return Err(Refusal::NotComparable { missing });
+    }
+    let run = engine.prepare(scene, setting)?;
+    let differs = audit::differences(scene, &run.inside());
+    if !differs.is_empty() {
+        return Err(Refusal::Audit { differs });
+    }
+    Ok(run)
+}

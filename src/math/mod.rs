@@ -1,0 +1,14 @@
+//! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics.
+
+pub mod angle;
+pub mod real;
+
+pub use real::Real;
+
+/// A vector of the scene's three-dimensional frame, f64.
+pub type Vec3 = nalgebra::Vector3<f64>;
+
+/// The larger of two numbers, NaN if either is: a measure of error that a NaN cannot slip past.
+pub fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a >= b { a } else { b }
+}

@@ -1,0 +1,3 @@
+//! Rates: what the cloth does to a ball between impacts. One file per law.
+
+pub mod translational;

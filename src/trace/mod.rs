@@ -1,0 +1,174 @@
+//! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
+
+mod event;
+mod path;
+mod recorder;
+
+pub use event::{Event, EventKind};
+pub use path::{Knot, Path};
+pub use recorder::{Record, Recorder};
+
+use crate::math::worse;
+use crate::physics::State;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The complete result of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// What was run, with which version and which parameters.
+    pub provenance: Provenance,
+    /// Ball ids in scene order; index i of everything below belongs to `balls[i]`.
+    pub balls: Vec<String>,
+    /// One path a ball, from time 0 to `end_time` or to the pocket.
+    pub paths: Vec<Path>,
+    /// All events in the order in which they happened.
+    pub events: Vec<Event>,
+    /// When the centre velocity of each ball last became zero, s; `None` while it moves at the end or when pocketed.
+    pub stop_times: Vec<Option<f64>>,
+    /// The worst values of quantities that should stay small.
+    pub extrema: Extrema,
+    /// Deterministic counts of the work done (steps, root calls, contacts), by name.
+    pub counters: BTreeMap<String, u64>,
+    /// Why the run ended.
+    pub ending: Ending,
+    /// Simulated time at which it ended, s.
+    pub end_time: f64,
+}
+
+/// Where a trace comes from.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Provenance {
+    /// Engine id, such as `rapier-f64`.
+    pub engine: String,
+    /// The engine's own name and version.
+    pub version: String,
+    /// Every effective parameter, by the key of `--set`.
+    pub parameters: BTreeMap<String, serde_json::Value>,
+    /// Name of the scene.
+    pub scene: String,
+    /// Hash of the resolved scene.
+    pub scene_hash: String,
+    /// What the engine's event times are good to, s: its step, or 0 for an engine that solves for them.
+    pub resolution: f64,
+    /// Speed at or below which the engine calls a ball stopped, length/s.
+    pub rest_speed: f64,
+}
+
+/// The worst value of one quantity over a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Extremum {
+    /// The value; 0 when nothing happened.
+    pub value: f64,
+    /// When, s.
+    pub time: f64,
+    /// The ball concerned, if one is.
+    pub ball: Option<u32>,
+    /// The second ball, if two are.
+    pub other: Option<u32>,
+}
+
+/// The worst values of quantities that should stay small, taken at every step or event.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Extrema {
+    /// Largest rise of kinetic energy above an earlier level, mass * length^2/s^2. Time and balls: when it was reached.
+    pub energy_gained: Extremum,
+    /// Largest change of momentum in a ball-ball impact beyond what other forces can explain, mass * length/s.
+    pub momentum: Extremum,
+    /// Deepest overlap of two balls, length.
+    pub overlap: Extremum,
+    /// Farthest that a centre was beyond where the cushions let it be, length.
+    pub outside: Extremum,
+    /// Largest jump of a position at one time, length.
+    pub displaced: Extremum,
+}
+
+/// A place in a run: when and which balls.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Spot {
+    /// s.
+    pub time: f64,
+    /// Balls concerned, indices in scene order.
+    pub balls: Vec<u32>,
+    /// What was found there, in one sentence.
+    pub why: String,
+}
+
+/// Why a run ended. None of them is an error: the trace up to that point stands.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ending {
+    /// Everything came to rest.
+    Rest,
+    /// The scene's duration was reached.
+    Duration,
+    /// The user asked to stop.
+    Cancelled,
+    /// The limit on events was reached.
+    Budget,
+    /// An impact left a ball approaching several balls at once: the order would decide the result.
+    Indeterminate(Spot),
+    /// A graze or stop at rounding level: the scalar cannot tell whether it happens.
+    Undecidable(Spot),
+    /// Infinitely many impacts in finite time.
+    Collapsed(Spot),
+    /// A state stopped being a number.
+    NotFinite(Spot),
+}
+
+impl Ending {
+    /// Kebab-case name.
+    pub fn id(&self) -> &'static str {
+        match self {
+            Ending::Rest => "rest",
+            Ending::Duration => "duration",
+            Ending::Cancelled => "cancelled",
+            Ending::Budget => "budget",
+            Ending::Indeterminate(_) => "indeterminate",
+            Ending::Undecidable(_) => "undecidable",
+            Ending::Collapsed(_) => "collapsed",
+            Ending::NotFinite(_) => "not-finite",
+        }
+    }
+
+    /// Where it ended, for the endings that have a place.
+    pub fn spot(&self) -> Option<&Spot> {
+        match self {
+            Ending::Indeterminate(spot)
+            | Ending::Undecidable(spot)
+            | Ending::Collapsed(spot)
+            | Ending::NotFinite(spot) => Some(spot),
+            Ending::Rest | Ending::Duration | Ending::Cancelled | Ending::Budget => None,
+        }
+    }
+
+    /// True when the run reached the end that the scene asks for.
+    pub fn is_complete(&self) -> bool {
+        matches!(self, Ending::Rest | Ending::Duration)
+    }
+}
+
+impl Trace {
+    /// Last state of every ball, in scene order; `None` for a pocketed ball, which is no longer on the table.
+    pub fn final_states(&self) -> Vec<Option<State>> {
+        let last = |(i, path): (usize, &Path)| if self.pocketed(i) { None } else { path.last() };
+        self.paths.iter().enumerate().map(last).collect()
+    }
+
+    /// True when ball `i` left play.
+    pub fn pocketed(&self, i: usize) -> bool {
+        self.events
+            .iter()
+            .any(|event| matches!(event.kind, EventKind::Pocket(ball, _) if ball as usize == i))
+    }
+
+    /// The collision order: every ball-ball and ball-cushion event, in order.
+    pub fn collisions(&self) -> impl Iterator<Item = &Event> {
+        self.events.iter().filter(|event| event.kind.is_collision())
+    }
+
+    /// The largest motion over all balls that the knots do not explain, length: the trace's check on itself.
+    pub fn unexplained(&self) -> f64 {
+        self.paths.iter().map(Path::unexplained).fold(0.0, worse)
+    }
+}

@@ -1,0 +1,241 @@
+//! The only writer of traces: knots, events, stop times and extrema, the same for every engine.
+
+use super::{Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Trace};
+use crate::physics::State;
+use crate::scene::Scene;
+use std::collections::BTreeMap;
+
+/// How much of a run is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Record {
+    /// First and last states, stop times, extrema and counters; no events.
+    Final,
+    /// Also every event with both its sides.
+    Events,
+    /// Also the states of moving balls every so many seconds. An engine whose knots are exact needs none and adds none.
+    Every(f64),
+}
+
+/// Collects a trace while an engine runs.
+#[derive(Debug)]
+pub struct Recorder {
+    record: Record,
+    provenance: Provenance,
+    balls: Vec<String>,
+    paths: Vec<Path>,
+    events: Vec<Event>,
+    event_count: u32,
+    stop_times: Vec<Option<f64>>,
+    extrema: Extrema,
+    ledger: Ledger,
+    next_sample: f64,
+    samples: u64,
+}
+
+/// Energy relative to the start, and the lowest level so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ledger {
+    level: f64,
+    lowest: f64,
+}
+
+impl Recorder {
+    /// A recorder for a run of `scene`, holding the first knot of every ball.
+    ///
+    /// `initial`: the states inside the engine at time 0, in scene order (an f32 engine's are not quite the scene's).
+    pub fn new(scene: &Scene, provenance: Provenance, record: Record, initial: &[State]) -> Self {
+        let first_knot = |state: &State| Path {
+            knots: vec![Knot {
+                time: 0.0,
+                state: *state,
+                after: None,
+            }],
+        };
+        let rest_speed = provenance.rest_speed;
+        Recorder {
+            record,
+            balls: scene.balls.iter().map(|ball| ball.id.clone()).collect(),
+            paths: initial.iter().map(first_knot).collect(),
+            events: Vec::new(),
+            event_count: 0,
+            stop_times: initial
+                .iter()
+                .map(|s| (s.speed() <= rest_speed).then_some(0.0))
+                .collect(),
+            extrema: Extrema::default(),
+            ledger: Ledger::default(),
+            next_sample: match record {
+                Record::Every(cadence) => cadence,
+                Record::Final | Record::Events => f64::INFINITY,
+            },
+            samples: 0,
+            provenance,
+        }
+    }
+
+    /// Adds an event and answers its index.
+    pub fn event(&mut self, time: f64, kind: EventKind, exchanges: Option<u64>) -> u32 {
+        let index = self.event_count;
+        self.event_count += 1;
+        if self.record != Record::Final {
+            self.events.push(Event {
+                time,
+                kind,
+                exchanges,
+            });
+        }
+        index
+    }
+
+    /// Sets the number of exchanges of an event, once its contact episode has seen another.
+    pub fn set_exchanges(&mut self, event: u32, exchanges: u64) {
+        if let Some(event) = self.events.get_mut(event as usize) {
+            event.exchanges = Some(exchanges);
+        }
+    }
+
+    /// Both sides of what an event did to one ball.
+    pub fn jump(&mut self, ball: usize, time: f64, before: &State, after: &State, event: u32) {
+        if after.velocity.norm_squared() > 0.0 {
+            self.stop_times[ball] = None;
+        }
+        let moved = (after.position - before.position).norm();
+        raise(&mut self.extrema.displaced, moved, time, ball, None);
+        if self.record == Record::Final {
+            return;
+        }
+        self.knot(ball, time, before);
+        self.paths[ball].knots.push(Knot {
+            time,
+            state: *after,
+            after: Some(event),
+        });
+    }
+
+    /// The centre of a ball came to rest: adds the `stop` event, both sides, and the stop time.
+    pub fn stop(&mut self, ball: usize, time: f64, before: &State, after: &State) -> u32 {
+        let event = self.event(time, EventKind::Stop(ball as u32), None);
+        self.jump(ball, time, before, after, event);
+        self.stop_times[ball] = Some(time);
+        event
+    }
+
+    /// True when a cadence sample is due at `time`.
+    pub fn due(&self, time: f64) -> bool {
+        time >= self.next_sample
+    }
+
+    /// Adds a knot for every ball that moved since its last one, and schedules the next sample.
+    pub fn sample(&mut self, time: f64, states: &[State]) {
+        let Record::Every(cadence) = self.record else {
+            return;
+        };
+        for (ball, state) in states.iter().enumerate() {
+            let resting = self.paths[ball]
+                .knots
+                .last()
+                .is_some_and(|knot| knot.state == *state);
+            if !resting {
+                self.knot(ball, time, state);
+            }
+        }
+        // counted, not accumulated: the cadence must not drift
+        self.samples = self.samples.max((time / cadence) as u64) + 1;
+        self.next_sample = self.samples as f64 * cadence;
+    }
+
+    /// Books a change of kinetic energy. Losses lower the level, gains above the lowest level are the extremum.
+    pub fn energy_change(&mut self, time: f64, change: f64, ball: usize, other: Option<usize>) {
+        self.ledger.level += change;
+        if self.ledger.level < self.ledger.lowest {
+            self.ledger.lowest = self.ledger.level;
+        } else {
+            raise(
+                &mut self.extrema.energy_gained,
+                self.ledger.level - self.ledger.lowest,
+                time,
+                ball,
+                other,
+            );
+        }
+    }
+
+    /// Books the momentum, mass * length/s, by which a ball-ball impact missed conservation.
+    pub fn momentum_error(&mut self, time: f64, error: f64, ball: usize, other: usize) {
+        raise(&mut self.extrema.momentum, error, time, ball, Some(other));
+    }
+
+    /// Books the overlap of two balls, length; negative for a gap.
+    pub fn overlap(&mut self, time: f64, depth: f64, ball: usize, other: usize) {
+        raise(&mut self.extrema.overlap, depth, time, ball, Some(other));
+    }
+
+    /// Books how far a centre is beyond where the cushions let it be, length; negative inside.
+    pub fn outside(&mut self, time: f64, distance: f64, ball: usize) {
+        raise(&mut self.extrema.outside, distance, time, ball, None);
+    }
+
+    /// Ends the trace: a last knot for every ball still in play, and nothing after it.
+    pub fn finish(
+        mut self,
+        time: f64,
+        states: &[State],
+        ending: Ending,
+        counters: BTreeMap<String, u64>,
+    ) -> Trace {
+        let mut pocketed = vec![false; states.len()];
+        for event in &self.events {
+            if let EventKind::Pocket(ball, _) = event.kind {
+                pocketed[ball as usize] = true;
+            }
+        }
+        for (ball, state) in states.iter().enumerate() {
+            if pocketed[ball] {
+                self.stop_times[ball] = None;
+                continue;
+            }
+            self.knot(ball, time, state);
+            if state.speed() > self.provenance.rest_speed {
+                self.stop_times[ball] = None;
+            }
+        }
+        Trace {
+            provenance: self.provenance,
+            balls: self.balls,
+            paths: self.paths,
+            events: self.events,
+            stop_times: self.stop_times,
+            extrema: self.extrema,
+            counters,
+            ending,
+            end_time: time,
+        }
+    }
+
+    /// A knot that belongs to no event, unless the last one says the same already.
+    fn knot(&mut self, ball: usize, time: f64, state: &State) {
+        let knots = &mut self.paths[ball].knots;
+        let known = knots
+            .last()
+            .is_some_and(|knot| knot.time == time && knot.state == *state);
+        if !known {
+            knots.push(Knot {
+                time,
+                state: *state,
+                after: None,
+            });
+        }
+    }
+}
+
+/// Replaces an extremum by a worse value (NaN is the worst of all).
+fn raise(extremum: &mut Extremum, value: f64, time: f64, ball: usize, other: Option<usize>) {
+    if value > extremum.value || (value.is_nan() && !extremum.value.is_nan()) {
+        *extremum = Extremum {
+            value,
+            time,
+            ball: Some(ball as u32),
+            other: other.map(|b| b as u32),
+        };
+    }
+}
