@@ -18,6 +18,8 @@ pub struct Inside {
     pub materials: Vec<PairMaterial>,
     /// Spacing of the engine's numbers just above 1: 2.2e-16 in f64, 1.2e-7 in f32.
     pub ulp: f64,
+    /// Contact time of the shot, s, where a setting replaces the scene's; the launch is then held against this one.
+    pub contact_time: Option<f64>,
 }
 
 /// What a ball can meet.
@@ -49,6 +51,16 @@ pub struct PairMaterial {
 /// Numbers may differ by 4 ulp of the engine's scalar (a product and a quotient of rounded inputs), relative to the
 /// larger of the two.
 pub fn differences(scene: &Scene, inside: &Inside) -> Vec<String> {
+    match inside
+        .contact_time
+        .and_then(|contact_time| scene.launched_for(contact_time))
+    {
+        Some(launched) => differences_from(&launched, inside),
+        None => differences_from(scene, inside),
+    }
+}
+
+fn differences_from(scene: &Scene, inside: &Inside) -> Vec<String> {
     let mut check = Check {
         ulp: inside.ulp,
         found: Vec::new(),

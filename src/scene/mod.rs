@@ -5,4 +5,4 @@
 
 mod resolved;
 
-pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units};
+pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};

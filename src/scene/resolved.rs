@@ -1,7 +1,9 @@
 //! The scene that engines see: nothing implicit.
 
 use crate::math::Vec3;
+use crate::math::angle::unit_vector;
 use crate::physics::contact::plan_distance;
+use crate::physics::cue::speed_from_force;
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
 use crate::physics::{Effects, Side, State};
 use serde::{Serialize, Serializer};
@@ -103,6 +105,18 @@ pub enum Shot {
         /// Speed, length/s.
         speed: f64,
     },
+}
+
+impl Units {
+    /// Unit of a speed, as printed.
+    pub fn speed(&self) -> String {
+        format!("{}/{}", self.length, self.time)
+    }
+
+    /// Unit of an acceleration, as printed.
+    pub fn acceleration(&self) -> String {
+        format!("{}/{}^2", self.length, self.time)
+    }
 }
 
 impl Shot {
@@ -220,6 +234,29 @@ impl Scene {
         self.table.map(|t| t.reach(side, radius))
     }
 
+    /// The same scene with its force acting for `contact_time` instead; `None` unless the shot is a force.
+    pub fn launched_for(&self, contact_time: f64) -> Option<Scene> {
+        let Some(Shot::Force {
+            ball,
+            angle_deg,
+            force,
+            ..
+        }) = self.shot
+        else {
+            return None;
+        };
+        let mut scene = self.clone();
+        scene.shot = Some(Shot::Force {
+            ball,
+            angle_deg,
+            force,
+            contact_time,
+        });
+        let speed = speed_from_force(force, contact_time, self.balls[ball].mass);
+        scene.balls[ball].state.velocity = plan_vector(speed, angle_deg);
+        Some(scene)
+    }
+
     /// Fingerprint of the resolved scene: 16 hexadecimal digits, equal for scenes that are equal to the bit.
     pub fn hash(&self) -> String {
         let text = serde_json::to_string(self).unwrap_or_default();
@@ -242,6 +279,14 @@ impl Table {
             self.max[axis] - radius
         }
     }
+}
+
+/// A horizontal vector of the given length and direction.
+///
+/// `angle_deg`: degrees counter-clockwise from +x.
+pub fn plan_vector(length: f64, angle_deg: f64) -> Vec3 {
+    let (c, s) = unit_vector(angle_deg);
+    Vec3::new(length * c, length * s, 0.0)
 }
 
 fn state_as_arrays<S: Serializer>(state: &State, serializer: S) -> Result<S::Ok, S::Error> {

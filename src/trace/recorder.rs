@@ -212,6 +212,14 @@ impl Recorder {
         }
     }
 
+    /// A knot that belongs to no event, where the motion bends: an engine that stops a ball within a step shows the
+    /// step's start.
+    pub fn bend(&mut self, ball: usize, time: f64, state: &State) {
+        if self.record != Record::Final {
+            self.knot(ball, time, state);
+        }
+    }
+
     /// A knot that belongs to no event, unless the last one says the same already.
     fn knot(&mut self, ball: usize, time: f64, state: &State) {
         let knots = &mut self.paths[ball].knots;

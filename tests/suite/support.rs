@@ -95,6 +95,21 @@ impl Scenario {
         self
     }
 
+    /// Fifteen resting balls "1" to "15", row by row from the apex, neighbours `gap` apart.
+    pub fn rack(mut self, apex: [f64; 2], gap: f64) -> Self {
+        let pitch = 2.0 * R + gap;
+        let mut id = 0;
+        for row in 0..5 {
+            for place in 0..=row {
+                id += 1;
+                let x = apex[0] + pitch * (f64::from(place) - 0.5 * f64::from(row));
+                let y = apex[1] + pitch * 0.75_f64.sqrt() * f64::from(row);
+                self = self.resting(&id.to_string(), [x, y]);
+            }
+        }
+        self
+    }
+
     pub fn duration(mut self, seconds: f64) -> Self {
         self.0.duration = seconds;
         self
@@ -112,4 +127,14 @@ pub fn run(engine: &str, settings: &[&str], scene: &Scene, record: Record) -> Tr
     let run = engine::prepare(engine, scene, &setting)
         .unwrap_or_else(|refusal| panic!("{} on {}: {refusal}", engine.id(), scene.name));
     run.simulate(record, &Limits::NONE)
+}
+
+/// The report's shot: cue ball from the head spot at F t / m = 108 x .01 / .107 into a rack on the foot spot.
+pub fn report_break(gap: f64, angle_deg: f64) -> Scene {
+    scenario("report-break-in-a-test")
+        .shot("cue", [6.315, 6.075], 108.0 * 0.01 / 0.107, angle_deg)
+        .rack([6.315, 18.225], gap)
+        .cloth(MU)
+        .cushions(12.63, 24.3)
+        .build()
 }

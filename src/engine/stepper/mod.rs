@@ -1,52 +1,152 @@
-//! The report's model.
+//! The report's hand-written model: fixed steps, exchange of normal velocities, Coulomb friction, walls.
+//!
+//! Every step does, in this order: the ball that was shot against each other ball; each pair of the others; friction;
+//! walls; positions. The order is the report's and part of the model. What the report leaves open is a setting.
 
-use super::setting::knobs_of;
+mod cloth;
+mod contact;
+mod run;
+
+use super::setting::{knobs_of, refuse};
 use super::{About, Engine, Knob, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
-use crate::scene::Scene;
+use crate::scene::{Scene, Shot};
+use run::Stepping;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The report's model.
+/// The report's model as an engine.
 #[derive(Debug)]
 pub struct Stepper;
 
-/// Settings.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-pub struct Settings {}
+/// Settings of the report's model. Each default is the report's own rule.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// Time step, s, > 0. The scheme is first order: halving it halves the error.
+    pub dt: f64,
+    /// as-written: an overlapping pair exchanges in every step; approaching-only: only while it approaches.
+    pub contact: ContactRule,
+    /// contact-time: v = F contact_time / m, independent of dt; as-written: v = F dt / m.
+    pub launch: Launch,
+}
+
+/// When an overlapping pair exchanges its normal velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactRule {
+    /// In every step in which it overlaps: the report's rule.
+    AsWritten,
+    /// Only if the normal velocities approach.
+    ApproachingOnly,
+}
+
+/// What sets the shot's ball in motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Launch {
+    /// The force acts for the scene's contact time.
+    ContactTime,
+    /// The force acts for one step: the report's rule, by which the shot depends on dt.
+    AsWritten,
+}
+
+/// More steps than this are refused: at 100 ns a step they would take hours.
+const MOST_STEPS: f64 = 1e11;
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            dt: 1e-3,
+            contact: ContactRule::AsWritten,
+            launch: Launch::ContactTime,
+        }
+    }
+}
+
+impl Settings {
+    fn read(setting: &Setting, scene: &Scene) -> Result<Self, Refusal> {
+        let settings: Settings = setting.read()?;
+        let dt = settings.dt;
+        if dt <= 0.0 || scene.duration / dt > MOST_STEPS {
+            let message = format!(
+                "`dt={dt}`: expected a step above 0 s and at most {MOST_STEPS:e} steps in {} s",
+                scene.duration
+            );
+            return Err(refuse(message));
+        }
+        if settings.launch == Launch::AsWritten && !matches!(scene.shot, Some(Shot::Force { .. })) {
+            return Err(refuse(
+                "`launch=as-written` needs a scene with [shot.force]: v = F dt / m".to_owned(),
+            ));
+        }
+        if settings.contact == ContactRule::AsWritten && !scene.equal_masses() {
+            let message = "`contact=as-written` exchanges velocities of equal masses, and the balls' masses differ; \
+                           `contact=approaching-only` takes masses into account";
+            return Err(refuse(message.to_owned()));
+        }
+        Ok(settings)
+    }
+}
 
 impl Engine for Stepper {
     fn id(&self) -> &'static str {
         "stepper"
     }
+
     fn version(&self) -> String {
-        String::new()
+        format!("carom {}", env!("CARGO_PKG_VERSION"))
     }
+
     fn about(&self) -> About {
         About {
-            method: "",
-            shares: "",
+            method: "the report's model: fixed steps, velocity exchange of overlapping balls, walls that push back",
+            shares: "impact laws for unequal masses and the cushion law with exact; nothing with rapier",
         }
     }
+
     fn knobs(&self) -> Vec<Knob> {
         knobs_of::<Settings>()
     }
+
     fn missing(&self, _scene: &Scene) -> Vec<&'static str> {
-        vec!["anything yet"]
-    }
-    fn promises(&self, _scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
         Vec::new()
     }
+
+    fn promises(&self, scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
+        let mut promises = vec![
+            Invariant::Finite,
+            Invariant::Momentum,
+            Invariant::ImpactEnergy,
+            Invariant::EnergyNeverGrows,
+            Invariant::Bounds,
+            Invariant::Rerun,
+        ];
+        if scene.effects.cloth.is_some() && scene.gravity > 0.0 {
+            promises.push(Invariant::EverythingStops);
+        }
+        promises
+    }
+
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
-        Vec::new()
+        let steps = [
+            "0.03", "0.01", "3e-3", "1e-3", "3e-4", "1e-4", "3e-5", "1e-5", "3e-6", "1e-6",
+        ];
+        let dt = |base: &Setting| steps.iter().map(|dt| base.clone().with("dt", dt)).collect();
+        let as_written = Setting::default();
+        let approaching = Setting::default().with("contact", "approaching-only");
+        vec![
+            ("as-written", dt(&as_written)),
+            ("approaching-only", dt(&approaching)),
+        ]
     }
+
     fn prepare<'a>(
         &self,
         scene: &'a Scene,
-        _setting: &Setting,
+        setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
-        Err(Refusal::NotComparable {
-            missing: self.missing(scene),
-        })
+        let settings = Settings::read(setting, scene)?;
+        Ok(Box::new(Stepping::new(scene, settings, self.version())))
     }
 }

@@ -1,0 +1,209 @@
+//! Which pairs overlap, and what the report does to a pair that does.
+
+use super::ContactRule;
+use crate::physics::{self, Body, Contact};
+use nalgebra::{Vector2, Vector3};
+
+/// The squared distance below which a distance is less than `contact`: `sqrt(d2) < contact` exactly when `d2 < bound`.
+///
+/// The report compares distances. The square root is monotone and correctly rounded, so there is one f64 that separates
+/// the squares, and a step needs no square root to give the same answer to the bit.
+pub fn squared_bound(contact: f64) -> f64 {
+    let mut bound = contact * contact;
+    while bound.sqrt() < contact {
+        bound = bound.next_up();
+    }
+    while bound > 0.0 && bound.next_down().sqrt() >= contact {
+        bound = bound.next_down();
+    }
+    bound
+}
+
+/// Distances of contact for balls of a few sizes.
+#[derive(Clone, Debug)]
+pub struct Sizes {
+    class: Vec<usize>,
+    bounds: Vec<f64>,
+    distances: Vec<f64>,
+    count: usize,
+}
+
+impl Sizes {
+    /// Groups balls by radius. `radii`: length, one a ball.
+    pub fn new(radii: &[f64]) -> Self {
+        let mut distinct: Vec<f64> = radii.to_vec();
+        distinct.sort_by(f64::total_cmp);
+        distinct.dedup();
+        let class = radii
+            .iter()
+            .map(|r| distinct.partition_point(|d| d < r))
+            .collect();
+        let mut bounds = Vec::new();
+        let mut distances = Vec::new();
+        for &a in &distinct {
+            for &b in &distinct {
+                let contact = physics::contact::plan_distance(a, b);
+                distances.push(contact);
+                bounds.push(squared_bound(contact));
+            }
+        }
+        Sizes {
+            class,
+            bounds,
+            distances,
+            count: distinct.len(),
+        }
+    }
+
+    /// Distance of the centres of balls `i` and `j` below which they overlap, length.
+    pub fn distance(&self, i: usize, j: usize) -> f64 {
+        self.distances[self.class[i] * self.count + self.class[j]]
+    }
+
+    /// Collects every overlapping pair (i < j), ordered by i and then j.
+    ///
+    /// Positions do not change while a step exchanges velocities, so all pairs can be found before the first exchange
+    /// without changing any result.
+    pub fn overlapping(&self, x: &[f64], y: &[f64], pairs: &mut Vec<(usize, usize)>) {
+        pairs.clear();
+        if self.count == 1 {
+            let bound = self.bounds[0];
+            scan(x, y, |_, _| bound, pairs);
+        } else {
+            scan(
+                x,
+                y,
+                |i, j| self.bounds[self.class[i] * self.count + self.class[j]],
+                pairs,
+            );
+        }
+    }
+}
+
+fn scan(
+    x: &[f64],
+    y: &[f64],
+    bound: impl Fn(usize, usize) -> f64,
+    pairs: &mut Vec<(usize, usize)>,
+) {
+    for i in 0..x.len() {
+        let (xi, yi) = (x[i], y[i]);
+        let squared = |xj: f64, yj: f64| (xi - xj) * (xi - xj) + (yi - yj) * (yi - yj);
+        // no branch inside: the compiler turns the row into wide lanes
+        let mut any = false;
+        for (j, (&xj, &yj)) in x.iter().zip(y).enumerate().skip(i + 1) {
+            any |= squared(xj, yj) < bound(i, j);
+        }
+        if any {
+            collect_row(i, x, y, &bound, pairs);
+        }
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn collect_row(
+    i: usize,
+    x: &[f64],
+    y: &[f64],
+    bound: &impl Fn(usize, usize) -> f64,
+    pairs: &mut Vec<(usize, usize)>,
+) {
+    for j in i + 1..x.len() {
+        let (dx, dy) = (x[i] - x[j], y[i] - y[j]);
+        if dx * dx + dy * dy < bound(i, j) {
+            pairs.push((i, j));
+        }
+    }
+}
+
+/// One ball of an overlapping pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Partner {
+    /// Centre, length.
+    pub position: Vector2<f64>,
+    /// Velocity, length/s.
+    pub velocity: Vector2<f64>,
+    /// Mass.
+    pub mass: f64,
+    /// Radius, length.
+    pub radius: f64,
+}
+
+/// Velocities of both balls of an overlapping pair after the report's rule; `None` if it leaves them alone.
+///
+/// Equal masses exchange their normal components in the report's words: `v1' = vt1 + vn2`, `v2' = vt2 + vn1`, with `n`
+/// the unit vector from ball 2 to ball 1. Coincident centres have no normal, and nothing happens.
+pub fn exchange(
+    rule: ContactRule,
+    law: Contact,
+    first: &Partner,
+    second: &Partner,
+) -> Option<(Vector2<f64>, Vector2<f64>)> {
+    let apart = first.position - second.position;
+    let distance = apart.norm();
+    if distance == 0.0 {
+        return None;
+    }
+    let n = apart / distance;
+    let (along1, along2) = (first.velocity.dot(&n), second.velocity.dot(&n));
+    if rule == ContactRule::ApproachingOnly && along1 - along2 >= 0.0 {
+        return None;
+    }
+    let (v1, v2) = if first.mass == second.mass && law == (Contact::Elastic {}) {
+        let (normal1, normal2) = (n * along1, n * along2);
+        (
+            first.velocity - normal1 + normal2,
+            second.velocity - normal2 + normal1,
+        )
+    } else {
+        by_law(law, first, second, -n)
+    };
+    (v1 != first.velocity || v2 != second.velocity).then_some((v1, v2))
+}
+
+/// The impact law of the scene, for what the report's exchange does not cover. `n` points from ball 1 to ball 2.
+fn by_law(
+    law: Contact,
+    first: &Partner,
+    second: &Partner,
+    n: Vector2<f64>,
+) -> (Vector2<f64>, Vector2<f64>) {
+    let body = |p: &Partner| Body {
+        velocity: Vector3::new(p.velocity.x, p.velocity.y, 0.0),
+        spin: Vector3::zeros(),
+        mass: p.mass,
+        radius: p.radius,
+    };
+    let (a, b) = physics::contact::impact(
+        law,
+        &body(first),
+        &body(second),
+        &Vector3::new(n.x, n.y, 0.0),
+    );
+    (a.velocity.xy(), b.velocity.xy())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::squared_bound;
+
+    #[test]
+    fn squared_bound_separates_exactly_the_distances_below_contact() {
+        for contact in [0.46875, 0.05715, 1.0, 0.1, 3.3e-7, 1e8 / 3.0] {
+            let bound = squared_bound(contact);
+            let mut d2 = contact * contact;
+            for _ in 0..50 {
+                d2 = d2.next_down();
+            }
+            for _ in 0..100 {
+                assert_eq!(
+                    d2.sqrt() < contact,
+                    d2 < bound,
+                    "contact {contact}, d2 {d2:e}"
+                );
+                d2 = d2.next_up();
+            }
+        }
+    }
+}
