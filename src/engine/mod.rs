@@ -51,6 +51,10 @@ pub trait Engine: Sync {
     /// Named families of settings from coarse to fine, for a study of cost.
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)>;
 
+    /// Settings that differ from `setting` in one knob each, and what that knob stands for: each removes one source of
+    /// error, so that a study can name the one that makes a difference disappear.
+    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)>;
+
     /// Builds a run. Call [`prepare`] instead, which also asks and audits.
     fn prepare<'a>(
         &self,

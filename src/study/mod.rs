@@ -1,1 +1,6 @@
-//! study.
+//! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
+
+pub mod compare;
+pub mod matrix;
+
+pub use matrix::{Cell, Column, Ran, Timing, Watch};

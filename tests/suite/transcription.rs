@@ -25,7 +25,7 @@ fn collide(balls: &mut [Ball], i: usize, j: usize, approaching_only: bool) -> u6
     let (a, b) = (balls[i], balls[j]);
     let apart = [a.r[0] - b.r[0], a.r[1] - b.r[1]];
     let distance = dot(apart, apart).sqrt();
-    if !(R + R > distance) {
+    if R + R <= distance {
         return 0;
     }
     let n = [apart[0] / distance, apart[1] / distance];

@@ -40,6 +40,9 @@ impl Engine for Exact {
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         Vec::new()
     }
+    fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
+        Vec::new()
+    }
     fn prepare<'a>(
         &self,
         scene: &'a Scene,

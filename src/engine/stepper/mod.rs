@@ -141,6 +141,22 @@ impl Engine for Stepper {
         ]
     }
 
+    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
+        let Ok(settings) = setting.read::<Settings>() else {
+            return Vec::new();
+        };
+        let mut remedies = Vec::new();
+        if settings.contact == ContactRule::AsWritten {
+            let approaching = setting.clone().with("contact", "approaching-only");
+            remedies.push(("the overlap rule as written", approaching));
+        }
+        remedies.push((
+            "the time step",
+            setting.clone().with("dt", settings.dt / 16.0),
+        ));
+        remedies
+    }
+
     fn prepare<'a>(
         &self,
         scene: &'a Scene,

@@ -551,7 +551,11 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[inline(never)]
     fn clamp(&mut self, step: u64, i: usize) {
         let state = self.balls.state(i);
-        self.recorder.bend(self.balls.scene_index[i], step as f64 * self.settings.dt, &state);
+        self.recorder.bend(
+            self.balls.scene_index[i],
+            step as f64 * self.settings.dt,
+            &state,
+        );
         (self.balls.vx[i], self.balls.vy[i]) = (0.0, 0.0);
         self.stopped.push(i);
     }

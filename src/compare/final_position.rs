@@ -1,0 +1,30 @@
+//! Where each ball ended.
+
+use super::{Comparison, Measured, Metric, Reads, attribution};
+
+/// Distance between the final positions of each ball.
+pub const FINAL_POSITION: Metric = Metric {
+    id: "final-position",
+    unit: "R",
+    what: "distance between the final positions of each ball",
+    reads: Reads::Pair(|c| {
+        let distances = attribution::distances_at_end(c.trace, c.reference);
+        let radius = c.scene.smallest_radius();
+        let measured = |(ball, distance): (&String, Option<f64>)| Measured {
+            subject: ball.clone(),
+            value: distance.map(|d| d / radius),
+        };
+        c.trace.balls.iter().zip(distances).map(measured).collect()
+    }),
+};
+
+/// Largest distance at any time before the collision orders part.
+pub const UNTIL_PARTING: Metric = Metric {
+    id: "until-parting",
+    unit: "R",
+    what: "largest distance of a ball at any time before the collision orders part",
+    reads: Reads::Pair(|c: &Comparison<'_>| {
+        let parting = c.parting_time().unwrap_or(f64::INFINITY);
+        Measured::of_run(c.divergence.largest_before(parting) / c.scene.smallest_radius())
+    }),
+};

@@ -1,0 +1,179 @@
+//! Why two collision orders first differ: the margin against the resolution, or the setting that moves it.
+
+use super::words::describe_span;
+use super::{Outcome, Standing};
+use crate::compare::Parting;
+use crate::engine::Setting;
+use crate::scene::Scene;
+use crate::study::matrix::{Column, Timing, Watch, run_row};
+use crate::trace::{EventKind, Record, Trace};
+
+/// Why two collision orders differ where they first do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// The two candidates are closer together than what the engine resolves.
+    Resolution {
+        /// Time between the two candidates in the reference, s.
+        margin: f64,
+        /// What the engine resolves, s.
+        resolution: f64,
+    },
+    /// With another setting the difference is gone.
+    Setting {
+        /// What the setting stands for.
+        what: &'static str,
+        /// The setting under which the orders agree at this place.
+        setting: Setting,
+    },
+    /// Neither; the settings that were tried.
+    Open {
+        /// Time between the two candidates in the reference, s, if it has both.
+        margin: Option<f64>,
+        /// What the engine resolves, s.
+        resolution: f64,
+        /// What was tried.
+        tried: Vec<&'static str>,
+    },
+}
+
+impl Cause {
+    /// The cause in one sentence.
+    pub fn sentence(&self) -> String {
+        match self {
+            Cause::Resolution { margin, resolution } => format!(
+                "the two are {} apart; event times are resolved to {}",
+                describe_span(*margin),
+                describe_span(*resolution)
+            ),
+            Cause::Setting { what, setting } => {
+                format!("{what}: with {setting} the orders agree here")
+            }
+            Cause::Open {
+                margin,
+                resolution,
+                tried,
+            } => {
+                let gap = match margin {
+                    Some(margin) => format!(
+                        "the two are {} apart and event times are resolved to {}",
+                        describe_span(*margin),
+                        describe_span(*resolution)
+                    ),
+                    None => "the other never has this event".to_owned(),
+                };
+                match tried.is_empty() {
+                    true => gap,
+                    false => format!(
+                        "{gap}; changing {} alone does not cure it",
+                        tried.join(" or ")
+                    ),
+                }
+            }
+        }
+    }
+}
+
+/// Finds the cause of every first difference of an outcome. Margins are read; what they do not explain is rerun with one
+/// knob changed, up to the difference.
+pub(super) fn find_causes(outcome: &mut Outcome, watch: Watch<'_>) {
+    let mut causes = Vec::new();
+    if let Some(reference) = outcome.reference.and_then(|i| outcome.entries[i].trace()) {
+        for entry in &outcome.entries {
+            causes.push(entry.standing.as_ref().and_then(|standing| {
+                cause(&outcome.scene, &entry.column, standing, reference, watch)
+            }));
+        }
+    }
+    for (entry, cause) in outcome.entries.iter_mut().zip(causes) {
+        if let Some(standing) = entry.standing.as_mut() {
+            standing.cause = cause;
+        }
+    }
+    for pair in &mut outcome.pairs {
+        // two engines that both step: the margin is all that can be read without a reference
+        pair.standing.cause = pair.standing.order.parting.as_ref().map(|parting| {
+            by_margin(parting, pair.standing.order.resolution).unwrap_or(Cause::Open {
+                margin: parting.margin,
+                resolution: pair.standing.order.resolution,
+                tried: Vec::new(),
+            })
+        });
+    }
+}
+
+fn cause(
+    scene: &Scene,
+    column: &Column,
+    standing: &Standing,
+    reference: &Trace,
+    watch: Watch<'_>,
+) -> Option<Cause> {
+    let parting = standing.order.parting.as_ref()?;
+    let resolution = standing.order.resolution;
+    if let Some(cause) = by_margin(parting, resolution) {
+        return Some(cause);
+    }
+    let wanted: Vec<EventKind> = reference
+        .collisions()
+        .take(parting.index + 1)
+        .map(|event| event.kind)
+        .collect();
+    let remedies = column.engine.remedies(&column.setting);
+    let columns: Vec<Column> = remedies
+        .iter()
+        .map(|(_, setting)| Column {
+            engine: column.engine,
+            setting: setting.clone(),
+        })
+        .collect();
+    let silent = Watch {
+        progress: &|_, _, _| {},
+        cancelled: watch.cancelled,
+    };
+    let cells = run_row(
+        &up_to(scene, parting, resolution),
+        &columns,
+        Record::Events,
+        Timing::None,
+        silent,
+    );
+    for ((what, setting), cell) in remedies.iter().zip(&cells) {
+        let Ok(ran) = cell else { continue };
+        let got: Vec<EventKind> = ran
+            .trace
+            .collisions()
+            .take(wanted.len())
+            .map(|event| event.kind)
+            .collect();
+        if got == wanted {
+            return Some(Cause::Setting {
+                what,
+                setting: setting.clone(),
+            });
+        }
+    }
+    let tried = remedies.into_iter().map(|(what, _)| what).collect();
+    Some(Cause::Open {
+        margin: parting.margin,
+        resolution,
+        tried,
+    })
+}
+
+fn by_margin(parting: &Parting, resolution: f64) -> Option<Cause> {
+    let margin = parting.margin?.abs();
+    (margin <= resolution).then_some(Cause::Resolution { margin, resolution })
+}
+
+/// The scene, ended a little after the later of the two events.
+fn up_to(scene: &Scene, parting: &Parting, resolution: f64) -> Scene {
+    let times = [parting.event, parting.reference]
+        .into_iter()
+        .flatten()
+        .map(|event| event.time);
+    let last = times.fold(0.0, f64::max);
+    Scene {
+        duration: (last + 10.0 * resolution).min(scene.duration),
+        ..scene.clone()
+    }
+}

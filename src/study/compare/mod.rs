@@ -1,0 +1,348 @@
+//! One scene in several engines: where they part, when and why.
+//!
+//! Plan: one row of the matrix, the exact engine first. Conclusion: every engine against the exact one where it has an
+//! answer, and every pair of the others; the first difference with its cause; what the divergence is made of.
+
+mod causes;
+mod figures;
+mod page;
+mod words;
+
+pub use causes::Cause;
+pub use page::{LengthUnit, page, summary};
+pub use words::{describe_event, describe_scene};
+
+use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
+use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
+use crate::engine::{self, ENGINES};
+use crate::finding::Finding;
+use crate::scene::Scene;
+use crate::trace::{Ending, Record, Trace};
+
+/// Time between two recorded samples of a stepping engine, s of simulated time.
+const CADENCE: f64 = 0.01;
+
+/// Everything that a comparison of one scene found.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The scene.
+    pub scene: Scene,
+    /// One entry a column, the reference's among them.
+    pub entries: Vec<Entry>,
+    /// Index of the entry that all others are held against; `None` where the exact engine has no answer.
+    pub reference: Option<usize>,
+    /// Why there is no reference, in one sentence.
+    pub no_reference: Option<String>,
+    /// Every pair of engines that ran, apart from the reference; the stepper and rapier first.
+    pub pairs: Vec<PairOutcome>,
+    /// Every number, with its address.
+    pub findings: Vec<Finding>,
+}
+
+/// One engine with one setting.
+#[derive(Debug)]
+pub struct Entry {
+    /// Engine and setting.
+    pub column: Column,
+    /// What ran, or why nothing did.
+    pub cell: Cell,
+    /// How it stands against the reference; `None` for the reference itself, without one, and after a refusal.
+    pub standing: Option<Standing>,
+}
+
+/// How one trace stands against another.
+#[derive(Clone, Debug)]
+pub struct Standing {
+    /// Both collision orders, aligned.
+    pub order: Order,
+    /// Why the orders differ where they first do.
+    pub cause: Option<Cause>,
+    /// What the divergence is made of.
+    pub attribution: Attribution,
+    /// Distance over time, s and R.
+    pub divergence: Vec<[f64; 2]>,
+    /// Largest distance between final positions, R.
+    pub final_position: Option<f64>,
+}
+
+/// Two engines of which neither is the reference.
+#[derive(Debug)]
+pub struct PairOutcome {
+    /// Indices of the two entries.
+    pub entries: (usize, usize),
+    /// How the first stands against the second.
+    pub standing: Standing,
+}
+
+impl Entry {
+    /// The trace, if the engine ran.
+    pub fn trace(&self) -> Option<&Trace> {
+        self.cell.as_ref().ok().map(|ran| &ran.trace)
+    }
+
+    /// Engine and setting as one label.
+    pub fn label(&self) -> String {
+        self.column.label()
+    }
+}
+
+impl Outcome {
+    /// The findings of one metric for one engine or pair.
+    pub fn findings_of<'a>(
+        &'a self,
+        engine: &'a str,
+        metric: &'a str,
+    ) -> impl Iterator<Item = &'a Finding> {
+        self.findings
+            .iter()
+            .filter(move |f| f.engine == engine && f.metric == metric)
+    }
+
+    /// The worst value of a metric for one engine or pair, with the ball or event that owns it.
+    pub fn worst(&self, engine: &str, metric: &str) -> Option<(f64, &str)> {
+        let own = self
+            .findings
+            .iter()
+            .filter(|f| f.engine == engine && f.metric == metric);
+        let values = own.filter_map(|f| Some((f.value?, f.subject.as_str())));
+        values.reduce(|worst, next| {
+            if next.0 > worst.0 || next.0.is_nan() {
+                next
+            } else {
+                worst
+            }
+        })
+    }
+}
+
+/// The columns of a comparison when none are named: every engine, and the stepper with its approach check.
+pub fn default_columns() -> Vec<Column> {
+    let mut columns = Vec::new();
+    for engine in ENGINES {
+        columns.push(Column::of(*engine));
+        if engine.id() == "stepper" {
+            let setting = engine::Setting::default().with("contact", "approaching-only");
+            columns.push(Column {
+                engine: *engine,
+                setting,
+            });
+        }
+    }
+    columns
+}
+
+/// The columns that run: the named ones, after the exact engine if it is not among them.
+pub fn plan(named: &[Column]) -> Vec<Column> {
+    let mut columns = named.to_vec();
+    if !columns.iter().any(|column| column.engine.id() == "exact") {
+        columns.extend(engine::find("exact").map(Column::of));
+    }
+    // the reference stands first
+    columns.sort_by_key(|column| column.engine.id() != "exact");
+    columns
+}
+
+/// Runs the comparison of one scene.
+///
+/// `richer`: the scene that this one is a model of, if it is to be measured what this one leaves out.
+pub fn study(
+    scene: &Scene,
+    richer: Option<&Scene>,
+    columns: &[Column],
+    timing: Timing,
+    watch: Watch<'_>,
+) -> Outcome {
+    let cells = matrix::run_row(scene, columns, Record::Every(CADENCE), timing, watch);
+    let model = richer.and_then(|richer| model_error(scene, richer, columns, &cells, watch));
+    let mut outcome = conclude(scene, columns, cells);
+    for standing in outcome
+        .entries
+        .iter_mut()
+        .filter_map(|entry| entry.standing.as_mut())
+    {
+        standing.attribution.model = model;
+    }
+    causes::find_causes(&mut outcome, watch);
+    outcome
+}
+
+/// Concludes from the cells of one scene. Reads only; causes that need further runs stay open.
+fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>) -> Outcome {
+    let entries = columns.iter().cloned().zip(cells);
+    let entries = entries
+        .map(|(column, cell)| Entry {
+            column,
+            cell,
+            standing: None,
+        })
+        .collect();
+    let mut outcome = Outcome {
+        scene: scene.clone(),
+        entries,
+        reference: None,
+        no_reference: None,
+        pairs: Vec::new(),
+        findings: Vec::new(),
+    };
+    match reference(&outcome.entries) {
+        Ok(index) => outcome.reference = Some(index),
+        Err(why) => outcome.no_reference = Some(why),
+    }
+    stand_alone(&mut outcome);
+    against_reference(&mut outcome);
+    in_pairs(&mut outcome);
+    arithmetic(&mut outcome);
+    outcome
+}
+
+/// The exact engine's entry, if it reached the end that the scene asks for; else why not.
+fn reference(entries: &[Entry]) -> Result<usize, String> {
+    let exact = entries
+        .iter()
+        .position(|entry| entry.column.engine.id() == "exact");
+    let Some(index) = exact else {
+        return Err("the exact engine was not asked".to_owned());
+    };
+    match &entries[index].cell {
+        Err(refusal) => Err(format!("exact {refusal}")),
+        Ok(ran) if ran.trace.ending.is_complete() => Ok(index),
+        Ok(ran) => Err(words::describe_ending(&ran.trace)),
+    }
+}
+
+fn stand_alone(outcome: &mut Outcome) {
+    for entry in &outcome.entries {
+        if let Some(trace) = entry.trace() {
+            outcome
+                .findings
+                .extend(compare::of_trace(&outcome.scene, &entry.label(), trace));
+        }
+    }
+}
+
+fn against_reference(outcome: &mut Outcome) {
+    let Some(index) = outcome.reference else {
+        return;
+    };
+    let mut standings = Vec::new();
+    for (i, entry) in outcome.entries.iter().enumerate() {
+        let pair = entry
+            .trace()
+            .zip(outcome.entries[index].trace())
+            .filter(|_| i != index);
+        standings.push(pair.map(|(trace, reference)| {
+            let comparison = Comparison::new(&outcome.scene, trace, reference);
+            let findings = compare::of_pair(&comparison, &entry.label());
+            let attribution = attribute(&comparison);
+            (Standing::new(comparison, attribution), findings)
+        }));
+    }
+    for (entry, standing) in outcome.entries.iter_mut().zip(standings) {
+        let Some((standing, findings)) = standing else {
+            continue;
+        };
+        entry.standing = Some(standing);
+        outcome.findings.extend(findings);
+    }
+}
+
+impl Standing {
+    fn new(comparison: Comparison<'_>, attribution: Attribution) -> Self {
+        let radius = comparison.scene.smallest_radius();
+        let in_radii = |&(time, distance): &(f64, f64)| [time, distance / radius];
+        Standing {
+            final_position: largest_distance_at_end(
+                comparison.scene,
+                comparison.trace,
+                comparison.reference,
+            ),
+            divergence: comparison.divergence.points.iter().map(in_radii).collect(),
+            order: comparison.order,
+            cause: None,
+            attribution,
+        }
+    }
+}
+
+/// Every pair of engines that ran, apart from the reference.
+fn in_pairs(outcome: &mut Outcome) {
+    let ran: Vec<usize> = (0..outcome.entries.len())
+        .filter(|&i| is_contender(outcome, i))
+        .collect();
+    let mut pairs: Vec<(usize, usize)> = Vec::new();
+    for (k, &i) in ran.iter().enumerate() {
+        pairs.extend(ran[k + 1..].iter().map(|&j| (i, j)));
+    }
+    // engines of different families first: the stepper against rapier
+    let family = |i: usize| outcome.entries[i].column.engine.id().split('-').next();
+    pairs.sort_by_key(|&(i, j)| family(i) == family(j));
+    for (i, j) in pairs {
+        let (a, b) = (&outcome.entries[i], &outcome.entries[j]);
+        let Some((ours, theirs)) = a.trace().zip(b.trace()) else {
+            continue;
+        };
+        let comparison = Comparison::new(&outcome.scene, ours, theirs);
+        outcome
+            .findings
+            .extend(compare::of_pair(&comparison, &pair_label(a, b)));
+        let standing = Standing::new(comparison, Attribution::default());
+        outcome.pairs.push(PairOutcome {
+            entries: (i, j),
+            standing,
+        });
+    }
+}
+
+/// Label of a pair in findings.
+pub fn pair_label(a: &Entry, b: &Entry) -> String {
+    format!("{} | {}", a.label(), b.label())
+}
+
+fn is_contender(outcome: &Outcome, i: usize) -> bool {
+    outcome.entries[i].cell.is_ok() && outcome.entries[i].column.engine.id() != "exact"
+}
+
+/// |the same engine in two precisions|, for engines that differ only in that: `NAME-f64` and `NAME-f32`, same setting.
+fn arithmetic(outcome: &mut Outcome) {
+    for k in 0..outcome.pairs.len() {
+        let (i, j) = outcome.pairs[k].entries;
+        let (a, b) = (&outcome.entries[i].column, &outcome.entries[j].column);
+        let stem = |column: &Column| {
+            let id = column.engine.id();
+            id.strip_suffix("-f64").or_else(|| id.strip_suffix("-f32"))
+        };
+        if stem(a).is_some() && stem(a) == stem(b) && a.setting == b.setting {
+            let apart = outcome.pairs[k].standing.final_position;
+            outcome.pairs[k].standing.attribution.arithmetic = apart;
+            for index in [i, j] {
+                if let Some(standing) = outcome.entries[index].standing.as_mut() {
+                    standing.attribution.arithmetic = apart;
+                }
+            }
+        }
+    }
+}
+
+/// |exact(scene) - exact(richer)|, R; `None` where either has no complete run.
+fn model_error(
+    scene: &Scene,
+    richer: &Scene,
+    columns: &[Column],
+    cells: &[Cell],
+    watch: Watch<'_>,
+) -> Option<f64> {
+    let exact = columns
+        .iter()
+        .position(|column| column.engine.id() == "exact")?;
+    let complete = |ran: &Ran| matches!(ran.trace.ending, Ending::Rest | Ending::Duration);
+    let ours = cells[exact].as_ref().ok().filter(|ran| complete(ran))?;
+    let cells = matrix::run_row(
+        richer,
+        &columns[exact..=exact],
+        Record::Events,
+        Timing::None,
+        watch,
+    );
+    let theirs = cells.first()?.as_ref().ok().filter(|ran| complete(ran))?;
+    largest_distance_at_end(scene, &ours.trace, &theirs.trace)
+}

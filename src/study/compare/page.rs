@@ -1,0 +1,641 @@
+//! The document of a comparison: what the terminal shows, and the page of a report.
+
+use super::words::{describe_ending, describe_event, describe_scene, describe_span};
+use super::{Entry, Outcome, PairOutcome, Standing, figures, pair_label};
+use crate::engine::{Parameter, Role};
+use crate::finding::{Block, Cell, Column, Document, Table};
+
+/// Unit in which lengths are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// The scene's smallest radius.
+    #[default]
+    Radius,
+    /// The scene's own unit.
+    Scene,
+}
+
+/// How lengths are printed: a factor from R, and the unit's name.
+struct Scale {
+    factor: f64,
+    unit: String,
+}
+
+impl Scale {
+    fn new(outcome: &Outcome, unit: LengthUnit) -> Self {
+        match unit {
+            LengthUnit::Radius => Scale {
+                factor: 1.0,
+                unit: "R".to_owned(),
+            },
+            LengthUnit::Scene => Scale {
+                factor: outcome.scene.smallest_radius(),
+                unit: outcome.scene.units.length.clone(),
+            },
+        }
+    }
+
+    fn cell(&self, in_radii: Option<f64>) -> Cell {
+        Cell::maybe(in_radii.map(|r| r * self.factor))
+    }
+
+    fn owned(&self, worst: Option<(f64, &str)>) -> Cell {
+        match worst {
+            Some((value, owner)) if !owner.is_empty() => {
+                Cell::Owned(value * self.factor, owner.to_owned())
+            }
+            Some((value, _)) => Cell::Number(value * self.factor),
+            None => Cell::Empty,
+        }
+    }
+}
+
+/// What the terminal shows of one scene.
+pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
+    let scale = Scale::new(outcome, unit);
+    let mut blocks = vec![
+        Block::Text(describe_scene(&outcome.scene)),
+        Block::Text(reference_line(outcome)),
+    ];
+    blocks.push(Block::Table(comparison_table(outcome, &scale)));
+    blocks.extend(first_differences(outcome).map(Block::Table));
+    if outcome.reference.is_some() {
+        blocks.push(Block::Table(attribution_table(outcome, &scale)));
+    }
+    blocks.extend(pair_table(outcome, &scale).map(Block::Table));
+    Document {
+        id: outcome.scene.name.clone(),
+        title: outcome.scene.name.clone(),
+        lead: headline(outcome),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+/// The page of one scene in a report.
+pub fn page(outcome: &Outcome) -> Document {
+    let scale = Scale::new(outcome, LengthUnit::Radius);
+    let mut document = summary(outcome, LengthUnit::Radius);
+    document
+        .blocks
+        .insert(0, Block::Text(outcome.scene.description.clone()));
+    let blocks = &mut document.blocks;
+    blocks.push(Block::Heading("Pictures".to_owned()));
+    blocks.extend(
+        outcome
+            .entries
+            .iter()
+            .filter_map(|entry| figures::paths(outcome, entry))
+            .map(Block::Figure),
+    );
+    blocks.push(Block::Figure(figures::cue_speed(outcome)));
+    blocks.push(Block::Figure(figures::rms_speed(outcome)));
+    blocks.extend(figures::divergence(outcome).map(Block::Figure));
+    blocks.push(Block::Heading("Ball by ball".to_owned()));
+    blocks.push(Block::Table(ball_table(outcome)));
+    blocks.push(Block::Table(event_table(outcome)));
+    blocks.push(Block::Heading(
+        "What each run says against itself".to_owned(),
+    ));
+    blocks.push(Block::Table(sanity_table(outcome, &scale)));
+    blocks.push(Block::Heading("What each engine was told".to_owned()));
+    blocks.push(Block::Table(sheet(outcome)));
+    blocks.push(Block::Table(settings(outcome)));
+    blocks.push(Block::Heading("Run it yourself".to_owned()));
+    blocks.push(Block::Command(format!(
+        "carom compare {}",
+        outcome.scene.name
+    )));
+    document
+}
+
+/// The picture of a scene for a table of scenes.
+pub fn thumbnail(outcome: &Outcome) -> Cell {
+    figures::thumbnail(outcome).map_or(Cell::Empty, |figure| Cell::Picture(Box::new(figure)))
+}
+
+/// The sentence a person came for.
+pub fn headline(outcome: &Outcome) -> String {
+    let of = |entry: &&Entry| entry.standing.is_some();
+    let parted = outcome
+        .entries
+        .iter()
+        .filter(of)
+        .map(|entry| (entry.label(), entry.standing.as_ref()));
+    let mut sentences: Vec<String> = Vec::new();
+    for (label, standing) in parted {
+        let Some(standing) = standing else { continue };
+        sentences.push(match &standing.order.parting {
+            Some(parting) => format!(
+                "{label} keeps the exact order for {} of {} collisions, to t = {:.4} s",
+                standing.order.strict,
+                standing.order.reference_collisions,
+                parting.time()
+            ),
+            None => agreement(&label, standing),
+        });
+    }
+    if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
+        sentences.push(format!("No single right answer: {why}"));
+        sentences.extend(
+            outcome
+                .pairs
+                .first()
+                .map(|pair| pair_sentence(outcome, pair)),
+        );
+    }
+    let text = sentences.join("; ");
+    if text.is_empty() { text } else { text + "." }
+}
+
+fn agreement(label: &str, standing: &Standing) -> String {
+    let apart = standing
+        .final_position
+        .map(|r| format!(", and ends within {r:.1e} R of it"));
+    let order = match standing.order.reference_collisions {
+        0 => String::new(),
+        1 => "the 1 exact collision".to_owned(),
+        n => format!("all {n} exact collisions in order"),
+    };
+    match (order.is_empty(), apart) {
+        (false, apart) => format!("{label} has {order}{}", apart.unwrap_or_default()),
+        (true, Some(_)) => format!(
+            "{label} ends within {:.1e} R of exact",
+            standing.final_position.unwrap_or(0.0)
+        ),
+        (true, None) => format!("{label} has no collision, as exact"),
+    }
+}
+
+fn pair_sentence(outcome: &Outcome, pair: &PairOutcome) -> String {
+    let (a, b) = (
+        outcome.entries[pair.entries.0].label(),
+        outcome.entries[pair.entries.1].label(),
+    );
+    match &pair.standing.order.parting {
+        Some(parting) => format!(
+            "{a} and {b} part at event {}, t = {:.4} s",
+            parting.index + 1,
+            parting.time()
+        ),
+        None => format!("{a} and {b} have the same collision order"),
+    }
+}
+
+fn reference_line(outcome: &Outcome) -> String {
+    match outcome.reference.and_then(|i| outcome.entries[i].trace()) {
+        Some(trace) => {
+            let collisions = trace.collisions().count();
+            let events = trace.events.len();
+            format!(
+                "Reference: exact f64, {events} events of which {collisions} collisions. {}.",
+                describe_ending(trace)
+            )
+        }
+        None => format!(
+            "No reference: {}.",
+            outcome
+                .no_reference
+                .as_deref()
+                .unwrap_or("no run is complete")
+        ),
+    }
+}
+
+/// The main table: one row an engine.
+fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("stop-time", "stop time, worst (ball)", "s"),
+        Column::number(
+            "final-position",
+            "final position, worst (ball)",
+            &scale.unit,
+        ),
+        Column::words("order-strict", "order: strict"),
+        Column::words("order-tolerant", "with ties"),
+        Column::number("energy-gained", "energy gained", "E0"),
+        Column::number("unexplained", "unexplained", &scale.unit),
+        Column::number("time-per-shot", "time per shot", "us"),
+    ];
+    let mut rows = Vec::new();
+    for (i, entry) in outcome.entries.iter().enumerate() {
+        let label = entry.label();
+        let ran = match &entry.cell {
+            Ok(ran) => ran,
+            Err(refusal) => {
+                let mut row = vec![Cell::text(format!("{label}: {refusal}"))];
+                row.resize(columns.len(), Cell::Empty);
+                rows.push(row);
+                continue;
+            }
+        };
+        let named = if outcome.reference == Some(i) {
+            format!("{label} (reference)")
+        } else {
+            label.clone()
+        };
+        let of_order = |count: fn(&Standing) -> usize| {
+            let standing = entry.standing.as_ref();
+            standing.map_or(Cell::Empty, |s| {
+                Cell::text(format!("{}/{}", count(s), s.order.reference_collisions))
+            })
+        };
+        let plain = |metric| outcome.worst(&label, metric).map(|(value, _)| value);
+        rows.push(vec![
+            Cell::text(named),
+            owned(outcome.worst(&label, "stop-time")),
+            scale.owned(outcome.worst(&label, "final-position")),
+            of_order(|s| s.order.strict),
+            of_order(|s| s.order.tolerant),
+            Cell::maybe(plain("energy-gained")),
+            scale.cell(plain("unexplained")),
+            Cell::maybe(ran.seconds.map(|s| s * 1e6)),
+        ]);
+    }
+    let note = "Differences from the reference. R: smallest radius; E0: initial energy; unexplained: motion between two \
+                records that the events do not account for.";
+    Table {
+        id: "comparison".to_owned(),
+        title: String::new(),
+        columns,
+        rows,
+        note: note.to_owned(),
+    }
+}
+
+fn owned(worst: Option<(f64, &str)>) -> Cell {
+    Scale {
+        factor: 1.0,
+        unit: String::new(),
+    }
+    .owned(worst)
+}
+
+/// Where each engine first differs from the reference, or the engines from each other, and why.
+fn first_differences(outcome: &Outcome) -> Option<Table> {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("event", "at event", ""),
+        Column::words("reference", "reference has"),
+        Column::words("engine-has", "engine has"),
+        Column::words("why", "why"),
+    ];
+    let mut rows = Vec::new();
+    let mut add = |label: String, standing: &Standing, ours: &Entry, theirs: &Entry| {
+        let Some(parting) = &standing.order.parting else {
+            return;
+        };
+        let Some((ours, theirs)) = ours.trace().zip(theirs.trace()) else {
+            return;
+        };
+        rows.push(vec![
+            Cell::text(label),
+            Cell::Count(parting.index as u64 + 1),
+            Cell::text(describe_event(parting.reference.as_ref(), theirs)),
+            Cell::text(describe_event(parting.event.as_ref(), ours)),
+            Cell::text(
+                standing
+                    .cause
+                    .as_ref()
+                    .map(super::Cause::sentence)
+                    .unwrap_or_default(),
+            ),
+        ]);
+    };
+    match outcome.reference {
+        Some(index) => {
+            for entry in &outcome.entries {
+                if let Some(standing) = &entry.standing {
+                    add(entry.label(), standing, entry, &outcome.entries[index]);
+                }
+            }
+        }
+        None => {
+            for pair in &outcome.pairs {
+                let (a, b) = (
+                    &outcome.entries[pair.entries.0],
+                    &outcome.entries[pair.entries.1],
+                );
+                add(pair_label(a, b), &pair.standing, a, b);
+            }
+        }
+    }
+    let title = "First difference in collision order".to_owned();
+    let note = match outcome.reference {
+        Some(_) => String::new(),
+        None => "Without a reference the second-named engine stands in its place.".to_owned(),
+    };
+    (!rows.is_empty()).then(|| Table {
+        id: "first-difference".to_owned(),
+        title,
+        columns,
+        rows,
+        note,
+    })
+}
+
+/// What each divergence is made of.
+fn attribution_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("step", "step", &scale.unit),
+        Column::number("timing", "timing", &scale.unit),
+        Column::number("arithmetic", "arithmetic", &scale.unit),
+        Column::number("model", "model", &scale.unit),
+        Column::number("until-parting", "before the orders part", &scale.unit),
+    ];
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(standing) = &entry.standing else {
+            continue;
+        };
+        let parts = &standing.attribution;
+        let before = outcome
+            .worst(&entry.label(), "until-parting")
+            .map(|(value, _)| value);
+        rows.push(vec![
+            Cell::text(entry.label()),
+            scale.cell(parts.step),
+            scale.cell(parts.timing),
+            scale.cell(parts.arithmetic),
+            scale.cell(parts.model),
+            scale.cell(before),
+        ]);
+    }
+    let model = match &outcome.scene.richer {
+        Some(name) => format!("model: exact here against exact in {name}."),
+        None => "model: name a richer scene to see it.".to_owned(),
+    };
+    let note = format!(
+        "step: final positions against exact. timing: largest error of an event's time x relative speed. arithmetic: f64 \
+         against f32. {model} They need not add up."
+    );
+    Table {
+        id: "attribution".to_owned(),
+        title: "What the divergence is made of".to_owned(),
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// Every pair of engines apart from the reference.
+fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
+    let columns = vec![
+        Column::words("pair", "pair"),
+        Column::number("stop-time", "stop time, worst (ball)", "s"),
+        Column::number(
+            "final-position",
+            "final position, worst (ball)",
+            &scale.unit,
+        ),
+        Column::words("order-strict", "order: strict"),
+        Column::words("order-tolerant", "with ties"),
+        Column::words("part", "part at"),
+    ];
+    let mut rows = Vec::new();
+    for pair in &outcome.pairs {
+        let label = pair_label(
+            &outcome.entries[pair.entries.0],
+            &outcome.entries[pair.entries.1],
+        );
+        let order = &pair.standing.order;
+        let part = match &order.parting {
+            Some(parting) => format!("event {}, {:.4} s", parting.index + 1, parting.time()),
+            None => "never".to_owned(),
+        };
+        rows.push(vec![
+            Cell::text(label.clone()),
+            owned(outcome.worst(&label, "stop-time")),
+            scale.owned(outcome.worst(&label, "final-position")),
+            Cell::text(format!("{}/{}", order.strict, order.reference_collisions)),
+            Cell::text(format!("{}/{}", order.tolerant, order.reference_collisions)),
+            Cell::text(part),
+        ]);
+    }
+    (!rows.is_empty()).then(|| Table {
+        id: "pairs".to_owned(),
+        title: "The engines against each other".to_owned(),
+        columns,
+        rows,
+        note: "Order is out of the second engine's collisions; ties within the sum of both resolutions.".to_owned(),
+    })
+}
+
+/// Stop time and final position of every ball in every engine.
+fn ball_table(outcome: &Outcome) -> Table {
+    let units = &outcome.scene.units;
+    let columns = vec![
+        Column::words("ball", "ball"),
+        Column::words("engine", "engine"),
+        Column::number("stop-time", "stopped at", &units.time),
+        Column::number("x", "x", &units.length),
+        Column::number("y", "y", &units.length),
+        Column::number("distance", "from the reference", "R"),
+    ];
+    let mut rows = Vec::new();
+    for (ball, id) in outcome.scene.balls.iter().map(|ball| &ball.id).enumerate() {
+        for entry in &outcome.entries {
+            let Some(trace) = entry.trace() else { continue };
+            let last = trace.final_states()[ball];
+            let label = entry.label();
+            let distance = outcome
+                .findings_of(&label, "final-position")
+                .find(|f| f.subject == *id);
+            rows.push(vec![
+                Cell::text(id.clone()),
+                Cell::text(label.clone()),
+                trace.stop_times[ball].map_or(Cell::Empty, |t| Cell::Fixed(t, 6)),
+                last.map_or(Cell::Empty, |s| Cell::Fixed(s.position.x, 6)),
+                last.map_or(Cell::Empty, |s| Cell::Fixed(s.position.y, 6)),
+                Cell::maybe(distance.and_then(|f| f.value)),
+            ]);
+        }
+    }
+    let title = "Where every ball stopped".to_owned();
+    Table {
+        id: format!("balls-{}", outcome.scene.name),
+        title,
+        columns,
+        rows,
+        note: String::new(),
+    }
+}
+
+/// The reference's events, with the time of the same event in every other engine.
+fn event_table(outcome: &Outcome) -> Table {
+    const MOST_ROWS: usize = 200;
+    let shown = outcome
+        .reference
+        .or_else(|| outcome.entries.iter().position(|e| e.trace().is_some()));
+    let id = format!("events-{}", outcome.scene.name);
+    let Some((index, trace)) = shown.and_then(|i| Some((i, outcome.entries[i].trace()?))) else {
+        return Table {
+            id,
+            ..Table::default()
+        };
+    };
+    let columns = vec![
+        Column::number("index", "#", ""),
+        Column::number("time", "time", &outcome.scene.units.time),
+        Column::words("kind", "kind"),
+        Column::words("who", "who"),
+    ];
+    let rows: Vec<Vec<Cell>> = trace
+        .events
+        .iter()
+        .enumerate()
+        .take(MOST_ROWS)
+        .map(|(k, event)| {
+            vec![
+                Cell::Count(k as u64),
+                Cell::Fixed(event.time, 9),
+                Cell::text(event.kind.id()),
+                Cell::text(figures::event_name(trace, k)),
+            ]
+        })
+        .collect();
+    let title = format!("Events of {}", outcome.entries[index].label());
+    let note = match trace.events.len() {
+        n if n > MOST_ROWS => format!("The first {MOST_ROWS} of {n}; `carom run` writes them all."),
+        _ => String::new(),
+    };
+    Table {
+        id,
+        title,
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// What every run says against itself.
+fn sanity_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let metrics = [
+        ("energy-gained", "energy gained", "E0"),
+        ("momentum", "momentum", "m v0"),
+        ("overlap", "overlap", "R"),
+        ("overlap-by-parry", "overlap, by parry", "R"),
+        ("outside", "outside", "R"),
+        ("displaced", "displaced", "R"),
+        ("unexplained", "unexplained", "R"),
+    ];
+    let mut columns = vec![Column::words("engine", "engine")];
+    columns.extend(
+        metrics
+            .iter()
+            .map(|(key, title, unit)| Column::number(key, title, unit)),
+    );
+    columns.push(Column::words("ending", "ending"));
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(trace) = entry.trace() else { continue };
+        let label = entry.label();
+        let mut row = vec![Cell::text(label.clone())];
+        row.extend(
+            metrics
+                .iter()
+                .map(|(metric, _, _)| scale.owned(outcome.worst(&label, metric))),
+        );
+        row.push(Cell::text(describe_ending(trace)));
+        rows.push(row);
+    }
+    let note = "Largest value over the run. momentum: in an impact, beyond what other forces explain. displaced: jumps of a \
+                position, such as the stepper's wall clamp.";
+    let id = format!("sanity-{}", outcome.scene.name);
+    Table {
+        id,
+        title: String::new(),
+        columns,
+        rows,
+        note: note.to_owned(),
+    }
+}
+
+/// The parameter-equivalence sheet: one row a role, one column an engine.
+fn sheet(outcome: &Outcome) -> Table {
+    let ran: Vec<(String, &Vec<Parameter>)> = outcome
+        .entries
+        .iter()
+        .filter_map(|entry| Some((entry.label(), &entry.cell.as_ref().ok()?.sheet)))
+        .collect();
+    let mut columns = vec![Column::words("role", "what")];
+    columns.extend(
+        ran.iter()
+            .map(|(label, _)| Column::words(&label.replace(' ', "-"), label)),
+    );
+    let told = |sheet: &[Parameter], role: Role| {
+        let own = sheet.iter().filter(|p| p.role == role);
+        let text = own.map(|p| {
+            format!("{} = {} {}", p.name, p.value, p.unit)
+                .trim_end()
+                .to_owned()
+        });
+        text.collect::<Vec<_>>().join("; ")
+    };
+    let mut rows = Vec::new();
+    for role in Role::ALL {
+        let cells: Vec<String> = ran.iter().map(|(_, sheet)| told(sheet, role)).collect();
+        if cells.iter().all(String::is_empty) {
+            continue;
+        }
+        let mut row = vec![Cell::text(role.title())];
+        row.extend(cells.into_iter().map(|text| {
+            if text.is_empty() {
+                Cell::Empty
+            } else {
+                Cell::Text(text)
+            }
+        }));
+        rows.push(row);
+    }
+    let title = "Parameter-equivalence sheet".to_owned();
+    let note =
+        "Each row is one physical role; the cells say how each engine was given it.".to_owned();
+    Table {
+        id: format!("sheet-{}", outcome.scene.name),
+        title,
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// Versions and every effective setting.
+fn settings(outcome: &Outcome) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::words("version", "version"),
+        Column::words("resolution", "event times to"),
+        Column::words("settings", "settings"),
+    ];
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(trace) = entry.trace() else { continue };
+        let from = &trace.provenance;
+        let pairs: Vec<String> = from
+            .parameters
+            .iter()
+            .map(|(key, value)| format!("{key}={value}"))
+            .collect();
+        let resolution = match from.resolution {
+            0.0 => "rounding".to_owned(),
+            seconds => describe_span(seconds),
+        };
+        rows.push(vec![
+            Cell::text(entry.label()),
+            Cell::text(from.version.clone()),
+            Cell::Text(resolution),
+            Cell::Text(pairs.join(" ")),
+        ]);
+    }
+    let id = format!("settings-{}", outcome.scene.name);
+    Table {
+        id,
+        title: "Versions and settings".to_owned(),
+        columns,
+        rows,
+        note: String::new(),
+    }
+}

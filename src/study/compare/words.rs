@@ -1,0 +1,91 @@
+//! Scenes, events and endings in plain words.
+
+use crate::scene::Scene;
+use crate::trace::{Ending, Event, EventKind, Trace};
+
+/// `16 balls · cloth.translational mu 0.2 · contact.elastic · 20 s`.
+pub fn describe_scene(scene: &Scene) -> String {
+    let balls = match scene.balls.len() {
+        1 => "1 ball".to_owned(),
+        n => format!("{n} balls"),
+    };
+    let mut numbers: Vec<(&'static str, f64)> = Vec::new();
+    scene.effects.map(|key, value| numbers.push((key, value)));
+    let with_numbers = |id: &&'static str| {
+        let own = numbers.iter().filter_map(|(key, value)| {
+            let name = key.strip_prefix(id)?.strip_prefix('.')?;
+            Some(format!(" {name} {value}"))
+        });
+        let words = id.replace('.', " ");
+        format!("{words}{}", own.collect::<String>())
+    };
+    let mut parts = vec![balls];
+    parts.extend(scene.effects.named().iter().map(with_numbers));
+    parts.push(format!("{} s", scene.duration));
+    parts.join(" · ")
+}
+
+/// `2-5 at 0.7300652 s`, or `nothing more`.
+pub fn describe_event(event: Option<&Event>, trace: &Trace) -> String {
+    match event {
+        Some(event) => format!(
+            "{} at {:.7} s",
+            describe_kind(event.kind, trace),
+            event.time
+        ),
+        None => "nothing more".to_owned(),
+    }
+}
+
+/// `2-5`, or `11-y1` for a cushion.
+pub fn describe_kind(kind: EventKind, trace: &Trace) -> String {
+    let (a, b) = kind.parties(|ball| trace.balls.get(ball).map_or("?", String::as_str));
+    if b.is_empty() { a } else { format!("{a}-{b}") }
+}
+
+/// How a run ended, in one sentence.
+pub fn describe_ending(trace: &Trace) -> String {
+    let engine = &trace.provenance.engine;
+    match (&trace.ending, trace.ending.spot()) {
+        (ending, Some(spot)) => {
+            let name = |&ball: &u32| trace.balls.get(ball as usize).cloned().unwrap_or_default();
+            let balls: Vec<String> = spot.balls.iter().map(name).collect();
+            let at = format!("{:.7} s", spot.time);
+            format!(
+                "{engine} ends as {} at {at}, balls {}: {}",
+                ending.id(),
+                balls.join(", "),
+                spot.why
+            )
+        }
+        (Ending::Rest, None) => {
+            format!("{engine}: everything at rest after {:.7} s", trace.end_time)
+        }
+        (Ending::Duration, None) => format!("{engine}: ran for {} s", trace.end_time),
+        (ending, None) => format!(
+            "{engine} ended early ({}) at {:.7} s",
+            ending.id(),
+            trace.end_time
+        ),
+    }
+}
+
+/// A time span in the unit that shows it best: `78 us`.
+pub fn describe_span(seconds: f64) -> String {
+    let s = seconds.abs();
+    let (factor, unit) = match s {
+        _ if s >= 1.0 => (1.0, "s"),
+        _ if s >= 1e-3 => (1e3, "ms"),
+        _ if s >= 1e-6 => (1e6, "us"),
+        _ => (1e9, "ns"),
+    };
+    let scaled = s * factor;
+    let digits = if scaled >= 100.0 {
+        0
+    } else if scaled >= 10.0 {
+        1
+    } else {
+        2
+    };
+    format!("{scaled:.digits$} {unit}")
+}

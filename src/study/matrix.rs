@@ -1,0 +1,150 @@
+//! The run matrix: scenes are rows, engines with a setting are columns. The only place for threads and the stopwatch.
+
+use crate::engine::{self, Engine, Limits, Parameter, Refusal, Setting};
+use crate::scene::Scene;
+use crate::trace::{Record, Trace};
+use rayon::prelude::*;
+use std::fmt;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// One engine with one setting.
+#[derive(Clone)]
+pub struct Column {
+    /// The engine.
+    pub engine: &'static dyn Engine,
+    /// Its setting; empty for the defaults.
+    pub setting: Setting,
+}
+
+impl Column {
+    /// A column with every default.
+    pub fn of(engine: &'static dyn Engine) -> Self {
+        Column {
+            engine,
+            setting: Setting::default(),
+        }
+    }
+
+    /// Name of engine and setting: `stepper contact=approaching-only`.
+    pub fn label(&self) -> String {
+        format!("{} {}", self.engine.id(), self.setting)
+            .trim_end()
+            .to_owned()
+    }
+}
+
+impl fmt::Debug for Column {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.label())
+    }
+}
+
+/// The result of one cell that ran.
+#[derive(Clone, Debug)]
+pub struct Ran {
+    /// What happened.
+    pub trace: Trace,
+    /// Every parameter that changes physics.
+    pub sheet: Vec<Parameter>,
+    /// Shortest time of a run without recording samples, s; `None` where it was not timed.
+    pub seconds: Option<f64>,
+}
+
+/// One cell: what ran, or why nothing did.
+pub type Cell = Result<Ran, Refusal>;
+
+/// What the person at the terminal is told and may ask for while a matrix runs.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Called with the number of cells that are done, the number of all, and the label of the one just done.
+    pub progress: &'a (dyn Fn(usize, usize, &str) + Sync),
+    /// Set when the user asks to stop.
+    pub cancelled: &'a AtomicBool,
+}
+
+/// Whether and how cells are timed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timing {
+    /// Cells run in parallel and are not timed.
+    None,
+    /// Cells run one by one, each alone on the machine, and are timed.
+    Alone,
+}
+
+/// Runs that take longer than this are timed once, s; shorter ones as often as fits into it.
+const ENOUGH_SECONDS: f64 = 0.05;
+const MOST_REPEATS: usize = 20;
+
+/// Runs one scene in every column. Answers one cell a column, in order, for any number of threads.
+pub fn run_row(
+    scene: &Scene,
+    columns: &[Column],
+    record: Record,
+    timing: Timing,
+    watch: Watch<'_>,
+) -> Vec<Cell> {
+    let done = AtomicUsize::new(0);
+    let run = |column: &Column| {
+        let cell = run_cell(scene, column, record, timing, watch.cancelled);
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        (watch.progress)(
+            count,
+            columns.len(),
+            &format!("{} in {}", scene.name, column.label()),
+        );
+        cell
+    };
+    match timing {
+        Timing::None => columns.par_iter().map(run).collect(),
+        Timing::Alone => columns.iter().map(run).collect(),
+    }
+}
+
+/// Runs one scene in one column.
+fn run_cell(
+    scene: &Scene,
+    column: &Column,
+    record: Record,
+    timing: Timing,
+    cancelled: &AtomicBool,
+) -> Cell {
+    let limits = Limits {
+        cancelled,
+        ..Limits::NONE
+    };
+    let run = engine::prepare(column.engine, scene, &column.setting)?;
+    let sheet = run.sheet();
+    let start = Instant::now();
+    let trace = run.simulate(record, &limits);
+    let first = start.elapsed().as_secs_f64();
+    let seconds = match timing {
+        Timing::None => None,
+        Timing::Alone => Some(shortest_of_several(scene, column, first, &limits)),
+    };
+    Ok(Ran {
+        trace,
+        sheet,
+        seconds,
+    })
+}
+
+/// The shortest time of a run, s: of the first one if that was long, else of as many as fit into a moment.
+fn shortest_of_several(scene: &Scene, column: &Column, first: f64, limits: &Limits<'_>) -> f64 {
+    let (mut best, mut spent) = (first, first);
+    for _ in 0..MOST_REPEATS {
+        if spent + best > ENOUGH_SECONDS || limits.is_cancelled() {
+            break;
+        }
+        // set-up is outside the stopwatch
+        let Ok(run) = engine::prepare(column.engine, scene, &column.setting) else {
+            break;
+        };
+        let start = Instant::now();
+        run.simulate(Record::Final, limits);
+        let seconds = start.elapsed().as_secs_f64();
+        spent += seconds;
+        best = best.min(seconds);
+    }
+    best
+}

@@ -1,0 +1,243 @@
+//! The shape of the house: one direction of imports, small files, no unfinished work.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A module may import from itself and from modules listed before it.
+const ORDER: [&str; 13] = [
+    "math", "physics", "scene", "trace", "engine", "finding", "compare", "study", "gate", "report",
+    "web", "cli", "main",
+];
+
+const ENGINES: [&str; 3] = ["stepper", "exact", "rapier"];
+
+/// Names that only one room may use, with the rooms that may.
+const ONLY_IN: [(&str, &[&str]); 8] = [
+    ("rayon::", &["study/matrix.rs"]),
+    ("Instant::", &["study/matrix.rs", "cli"]),
+    ("SystemTime", &["cli"]),
+    ("std::thread", &["study/matrix.rs", "cli"]),
+    ("std::env::", &["cli"]),
+    ("std::fs::", &["cli"]),
+    ("rapier3d", &["engine/rapier"]),
+    ("println!", &["cli"]),
+];
+
+/// Every Rust file below a folder, by its path relative to that folder.
+fn sources(folder: &str) -> BTreeMap<String, String> {
+    fn walk(root: &Path, folder: &Path, found: &mut BTreeMap<String, String>) {
+        let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().path())
+            .collect();
+        entries.sort();
+        for path in entries {
+            if path.is_dir() {
+                walk(root, &path, found);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let name = path
+                    .strip_prefix(root)
+                    .unwrap()
+                    .to_str()
+                    .unwrap()
+                    .to_owned();
+                found.insert(name, std::fs::read_to_string(&path).unwrap());
+            }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut found = BTreeMap::new();
+    walk(&root, &root, &mut found);
+    assert!(!found.is_empty(), "no Rust file in {folder}");
+    found
+}
+
+/// The code of a file: comments, and what follows its unit tests, taken away.
+fn code(text: &str) -> String {
+    let text = text
+        .split("#[cfg(test)]\nmod tests")
+        .next()
+        .unwrap_or_default();
+    let lines = text.lines().map(|line| {
+        if line.trim_start().starts_with("//") {
+            ""
+        } else {
+            line
+        }
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn rank(module: &str) -> Option<usize> {
+    ORDER.iter().position(|&m| m == module)
+}
+
+/// Every rule that the given sources break, one sentence each.
+fn violations(sources: &BTreeMap<String, String>) -> Vec<String> {
+    let mut found = Vec::new();
+    for (file, text) in sources {
+        let module = file.split(['/', '.']).next().unwrap();
+        if module == "lib" {
+            continue;
+        }
+        let Some(own) = rank(module) else {
+            found.push(format!(
+                "{file}: the module {module} has no place in the order"
+            ));
+            continue;
+        };
+        let code = code(text);
+        for root in ["crate::", "carom::"] {
+            for piece in code.split(root).skip(1) {
+                found.extend(
+                    imported(piece)
+                        .into_iter()
+                        .filter_map(|name| match rank(&name) {
+                            Some(theirs) if theirs > own => Some(format!(
+                                "{file}: imports {name}, which is listed after {module}"
+                            )),
+                            _ => None,
+                        }),
+                );
+            }
+        }
+        for engine in ENGINES {
+            let sibling = module == "engine"
+                && !file.starts_with(&format!("engine/{engine}"))
+                && file != "engine/mod.rs";
+            let mentioned = ["super::", "engine::"]
+                .iter()
+                .any(|p| code.contains(&format!("{p}{engine}")));
+            if sibling && file != "engine/mod.rs" && mentioned {
+                found.push(format!("{file}: an engine knows the engine {engine}"));
+            }
+        }
+        for (name, rooms) in ONLY_IN {
+            if code.contains(name) && !rooms.iter().any(|room| file.starts_with(room)) {
+                found.push(format!("{file}: {name} belongs in {}", rooms.join(" or ")));
+            }
+        }
+    }
+    found
+}
+
+/// Module names right after `crate::`, also of a group: `{math::x, trace::y}`.
+fn imported(piece: &str) -> Vec<String> {
+    let word = |s: &str| {
+        s.chars()
+            .take_while(|c| c.is_alphanumeric() || *c == '_')
+            .collect::<String>()
+    };
+    let Some(group) = piece.strip_prefix('{') else {
+        return vec![word(piece)];
+    };
+    let mut depth = 0;
+    let mut names = vec![word(group.trim_start())];
+    for (at, c) in group.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth == 0 => break,
+            '}' => depth -= 1,
+            ',' if depth == 0 => names.push(word(group[at + 1..].trim_start())),
+            _ => {}
+        }
+    }
+    names
+}
+
+#[test]
+fn imports_point_one_way_and_each_tool_has_one_room() {
+    let found = violations(&sources("src"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn planted_violations_are_seen() {
+    for (file, text, wanted) in [
+        (
+            "math/mod.rs",
+            "use crate::physics::State;",
+            "listed after math",
+        ),
+        (
+            "trace/path.rs",
+            "use crate::{math::Vec3, engine::{Run, Limits}};",
+            "imports engine",
+        ),
+        (
+            "compare/order.rs",
+            "fn f() { crate::study::run() }",
+            "imports study",
+        ),
+        (
+            "engine/exact/solve.rs",
+            "use super::super::stepper::Settings;",
+            "knows the engine stepper",
+        ),
+        (
+            "engine/stepper/mod.rs",
+            "use crate::engine::rapier::World;",
+            "knows the engine rapier",
+        ),
+        (
+            "study/compare.rs",
+            "use rayon::prelude::*;",
+            "belongs in study/matrix.rs",
+        ),
+        (
+            "engine/exact/mod.rs",
+            "let t = std::time::Instant::now();",
+            "belongs in",
+        ),
+        ("report/html.rs", "std::fs::write(a, b);", "belongs in cli"),
+        (
+            "compare/mod.rs",
+            "use rapier3d_f64::prelude::*;",
+            "belongs in engine/rapier",
+        ),
+        ("helpers/mod.rs", "", "no place in the order"),
+    ] {
+        let planted = BTreeMap::from([(file.to_owned(), text.to_owned())]);
+        let found = violations(&planted);
+        assert!(
+            found.iter().any(|v| v.contains(wanted)),
+            "{file}: {text}: found {found:?}"
+        );
+    }
+    let innocent = BTreeMap::from([(
+        "compare/mod.rs".to_owned(),
+        "// crate::study\nuse crate::{trace::Trace, math::Vec3};".to_owned(),
+    )]);
+    assert!(violations(&innocent).is_empty());
+}
+
+#[test]
+fn files_are_small_opened_by_a_comment_and_finished() {
+    // written in two halves so that this file does not contain the words itself
+    let unfinished: Vec<String> = [
+        ("TO", "DO"),
+        ("FIX", "ME"),
+        ("to", "do!"),
+        ("unimpl", "emented!"),
+        ("#[ig", "nore"),
+    ]
+    .iter()
+    .map(|(a, b)| format!("{a}{b}"))
+    .collect();
+    for folder in ["src", "tests", "benches"] {
+        for (file, text) in sources(folder) {
+            let lines = text.lines().count();
+            assert!(lines <= 700, "{folder}/{file} has {lines} lines");
+            assert!(
+                text.starts_with("//!"),
+                "{folder}/{file} does not say what lives in it"
+            );
+            for word in &unfinished {
+                assert!(
+                    !text.contains(word.as_str()),
+                    "{folder}/{file} contains {word}"
+                );
+            }
+        }
+    }
+}
