@@ -135,17 +135,19 @@ impl Check {
                 let at = |what: &str| {
                     format!("{what} of ball {} with a {partner:?}", scene.balls[ball].id)
                 };
-                let found = inside
+                let (friction, restitution) = expected_material(scene, partner);
+                let mut materials = inside
                     .materials
                     .iter()
-                    .find(|m| m.ball == ball && m.partner == partner);
-                let Some(material) = found else {
+                    .filter(|m| m.ball == ball && m.partner == partner)
+                    .peekable();
+                if materials.peek().is_none() {
                     self.found.push(at("no material"));
-                    continue;
-                };
-                let (friction, restitution) = expected_material(scene, partner);
-                self.number(&at("friction"), material.friction, friction);
-                self.number(&at("restitution"), material.restitution, restitution);
+                }
+                for material in materials {
+                    self.number(&at("friction"), material.friction, friction);
+                    self.number(&at("restitution"), material.restitution, restitution);
+                }
             }
         }
     }
