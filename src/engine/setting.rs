@@ -51,7 +51,13 @@ impl Setting {
     ///
     /// `S` is a flat struct of numbers, booleans and words. An unknown key is answered with the known ones.
     pub fn read<S: Serialize + DeserializeOwned + Default>(&self) -> Result<S, Refusal> {
-        let mut fields = fields_of(&S::default());
+        self.read_over(&S::default())
+    }
+
+    /// Reads the setting into an engine's struct `S`, starting from `defaults`: how a preset supplies the values of the keys
+    /// that are not given.
+    pub fn read_over<S: Serialize + DeserializeOwned>(&self, defaults: &S) -> Result<S, Refusal> {
+        let mut fields = fields_of(defaults);
         for (key, text) in &self.values {
             let Some(field) = fields.get_mut(key) else {
                 let known: Vec<&str> = fields.keys().map(String::as_str).collect();

@@ -94,6 +94,16 @@ impl Recorder {
         }
     }
 
+    /// A state that belongs to no event: where the step began in which a stepping engine found one.
+    ///
+    /// It keeps the interpolation honest: without it a ball that rests until it is hit would creep toward the place where
+    /// the step with the hit left it.
+    pub fn pin(&mut self, ball: usize, time: f64, state: &State) {
+        if self.record != Record::Final {
+            self.knot(ball, time, state);
+        }
+    }
+
     /// Both sides of what an event did to one ball.
     pub fn jump(&mut self, ball: usize, time: f64, before: &State, after: &State, event: u32) {
         if after.velocity.norm_squared() > 0.0 {

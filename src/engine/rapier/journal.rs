@@ -1,0 +1,400 @@
+//! Turns the states before and after each step, and the impulses in between, into events, knots and extrema.
+//!
+//! rapier reports contacts when they are near, not when they act, so an impact is what changed a velocity: a contact
+//! impulse worth more than rounding. Both sides of an impact are written at the end of the step in which it fell, at the
+//! position that rapier has there: the near side with the velocity that the ball would have had without the impact, the
+//! far side with the one that it has. A third knot pins the state at the start of that step.
+//!
+//! What these knots leave unexplained is then known. While a ball slides, every substep h moves it with the velocity at the
+//! substep's end: |dr - T (v0 + v1)/2| = h |v1 - v0|/2, h v/2 at most. In the step of an impact the ball moves first with its old
+//! velocity and then, until restitution acts at the end of the step, with one that no longer approaches: the difference
+//! to the near side is at most the normal velocity that the impact took from it, so at most dt |jump| (half of that for
+//! two equal balls at e = 1). A stop within a step leaves at most a dt^2, a the deceleration. Pushing an overlap out moves a ball without
+//! a velocity, at most by the overlap. So `unexplained` stays below v dt (1 + 1/(2 substeps)), v the largest speed, as long as no
+//! ball moves farther in a step than contacts are predicted; a hit that is not reported leaves |jump|/2 times the whole time to
+//! the next knot.
+
+use super::interface::{Other, Push};
+use super::run::rest_speed;
+use crate::math::Vec3;
+use crate::physics::cloth::translational;
+use crate::physics::invariants::kinetic_energy;
+use crate::physics::{Cloth, Side, State};
+use crate::scene::Scene;
+use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
+use std::collections::BTreeMap;
+
+/// An impulse counts once it changes a velocity by this many ulp of the largest speed: warm starting adds an old impulse
+/// and takes it away again, a handful of operations on numbers of that size.
+const ROUNDING_ULPS: f64 = 16.0;
+
+/// Above this many balls only pairs that push each other are tested for overlap; up to it, all are.
+const SCAN_ALL_PAIRS: usize = 200;
+
+/// One step, s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub start: f64,
+    pub end: f64,
+}
+
+/// A contact from its first exchange until a step without one.
+struct Episode {
+    kind: EventKind,
+    event: u32,
+    exchanges: u64,
+    last_step: u64,
+}
+
+/// Writes the trace of a run.
+pub(super) struct Journal<'a> {
+    scene: &'a Scene,
+    recorder: Recorder,
+    rest_speed: f64,
+    /// Deceleration by the cloth, length/s^2.
+    drag: f64,
+    /// Smallest change of velocity that is not rounding, length/s.
+    noise: f64,
+    steps: u64,
+    episodes: Vec<Episode>,
+    moving: Vec<bool>,
+    balls: Vec<BallStep>,
+    exchanges: u64,
+    contacts: u64,
+    unattributed: u64,
+}
+
+/// What is known of one ball within one step.
+#[derive(Clone, Copy, Debug, Default)]
+struct BallStep {
+    /// Velocity after the exchanges processed so far; `None` before the first.
+    velocity: Option<Vec3>,
+    /// Exchanges still to come.
+    left: u32,
+    /// Sum of all impulses, mass * length/s.
+    impulse: Vec3,
+    /// Label of the group of balls that exchange momentum in this step.
+    group: usize,
+    /// Whether a cushion takes momentum from the ball.
+    cushion: bool,
+}
+
+impl<'a> Journal<'a> {
+    /// A journal that starts at time 0 with the states `initial`.
+    pub fn new(
+        scene: &'a Scene,
+        provenance: Provenance,
+        record: Record,
+        initial: &[State],
+        ulp: f64,
+    ) -> Self {
+        let rest_speed = rest_speed(scene);
+        let drag = match scene.effects.cloth {
+            Some(Cloth::Translational { mu }) => translational::deceleration(mu, scene.gravity),
+            None => 0.0,
+        };
+        Journal {
+            scene,
+            recorder: Recorder::new(scene, provenance, record, initial),
+            rest_speed,
+            drag,
+            noise: ROUNDING_ULPS * ulp * scene.largest_speed(),
+            steps: 0,
+            episodes: Vec::new(),
+            moving: initial.iter().map(|s| s.speed() > rest_speed).collect(),
+            balls: vec![BallStep::default(); initial.len()],
+            exchanges: 0,
+            contacts: 0,
+            unattributed: 0,
+        }
+    }
+
+    /// True when every ball's speed is at or below the rest speed.
+    pub fn all_at_rest(&self, states: &[State]) -> bool {
+        states.iter().all(|state| state.speed() <= self.rest_speed)
+    }
+
+    /// Writes one step. `before` and `after` are in scene order; `pushes` is reordered and loses what is only rounding.
+    pub fn step(&mut self, span: Span, before: &[State], after: &[State], pushes: &mut Vec<Push>) {
+        self.contacts += pushes.len() as u64;
+        self.prepare(span, before, after, pushes);
+        pushes.retain(|push| self.is_exchange(push));
+        pushes.sort_unstable_by_key(|push| match push.other {
+            Other::Ball(other) => (0, push.ball, other),
+            Other::Cushion(side) => (1, push.ball, side as usize),
+        });
+        for push in pushes.iter() {
+            self.balls[push.ball].left += 1;
+            if let Other::Ball(other) = push.other {
+                self.balls[other].left += 1;
+            }
+        }
+        for push in pushes.iter() {
+            self.exchange(span, before, after, push);
+        }
+        self.stops(span, before, after);
+        self.extrema(span, before, after, pushes);
+        self.steps += 1;
+        // the cadence is a multiple of the step as written, not as rounded
+        let rounding = 1e-6 * (span.end - span.start);
+        if self.recorder.due(span.end + rounding) {
+            self.recorder.sample(span.end, after);
+        }
+    }
+
+    /// Ends the trace after `steps` steps in `states`.
+    pub fn finish(
+        self,
+        time: f64,
+        states: &[State],
+        ending: Ending,
+        steps: u64,
+        substeps: u64,
+    ) -> Trace {
+        let counters = [
+            ("steps", steps),
+            ("substeps", substeps),
+            ("contacts", self.contacts),
+            ("exchanges", self.exchanges),
+            ("unattributed", self.unattributed),
+        ];
+        let counters: BTreeMap<String, u64> = counters
+            .into_iter()
+            .map(|(name, count)| (name.to_owned(), count))
+            .collect();
+        self.recorder.finish(time, states, ending, counters)
+    }
+
+    /// Sums the impulses on each ball and counts velocity changes that neither they nor the cloth explain.
+    fn prepare(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+        for (index, ball) in self.balls.iter_mut().enumerate() {
+            *ball = BallStep {
+                group: index,
+                ..BallStep::default()
+            };
+        }
+        for push in pushes {
+            self.balls[push.ball].impulse += push.impulse;
+            if let Other::Ball(other) = push.other {
+                self.balls[other].impulse -= push.impulse;
+            }
+        }
+        let cloth = self.drag * (span.end - span.start);
+        for (index, ball) in self.balls.iter().enumerate() {
+            let change = after[index].velocity - before[index].velocity;
+            let left = change - ball.impulse / self.scene.balls[index].mass;
+            // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy
+            if left.xy().norm() > 1.001 * cloth + self.noise {
+                self.unattributed += 1;
+            }
+        }
+    }
+
+    /// True when a push changes a velocity by more than rounding.
+    fn is_exchange(&self, push: &Push) -> bool {
+        let mass = |ball: usize| self.scene.balls[ball].mass;
+        let lightest = match push.other {
+            Other::Ball(other) => mass(push.ball).min(mass(other)),
+            Other::Cushion(_) => mass(push.ball),
+        };
+        push.impulse.norm() > self.noise * lightest
+    }
+
+    /// Writes one exchange: a new event, or one more of a contact that was there in the step before.
+    fn exchange(&mut self, span: Span, before: &[State], after: &[State], push: &Push) {
+        self.exchanges += 1;
+        let kind = match push.other {
+            Other::Ball(other) => EventKind::ball_ball(push.ball, other),
+            Other::Cushion(side) => EventKind::BallCushion(push.ball as u32, side),
+        };
+        let event = self.event(span.end, kind);
+        self.jump(span, before, after, push.ball, push.impulse, event);
+        if let Other::Ball(other) = push.other {
+            self.jump(span, before, after, other, -push.impulse, event);
+        }
+    }
+
+    /// Index of the event of a contact's episode, which begins or goes on in this step.
+    fn event(&mut self, time: f64, kind: EventKind) -> u32 {
+        let step = self.steps;
+        self.episodes.retain(|open| open.last_step + 1 >= step);
+        if let Some(open) = self.episodes.iter_mut().find(|open| open.kind == kind) {
+            open.exchanges += 1;
+            open.last_step = step;
+            self.recorder.set_exchanges(open.event, open.exchanges);
+            return open.event;
+        }
+        let event = self.recorder.event(time, kind, Some(1));
+        self.episodes.push(Episode {
+            kind,
+            event,
+            exchanges: 1,
+            last_step: step,
+        });
+        event
+    }
+
+    /// Both sides of what one exchange did to one ball.
+    fn jump(
+        &mut self,
+        span: Span,
+        before: &[State],
+        after: &[State],
+        ball: usize,
+        impulse: Vec3,
+        event: u32,
+    ) {
+        let near = self.near(span, before, after, ball);
+        self.balls[ball].left -= 1;
+        let mut far = after[ball];
+        // of several exchanges in one step the last ends in the velocity that rapier has
+        if self.balls[ball].left > 0 {
+            far.velocity = near.velocity + impulse / self.scene.balls[ball].mass;
+        }
+        self.balls[ball].velocity = Some(far.velocity);
+        self.recorder.jump(ball, span.end, &near, &far, event);
+    }
+
+    /// The near side of the next thing that happens to a ball in this step.
+    fn near(&mut self, span: Span, before: &[State], after: &[State], ball: usize) -> State {
+        let velocity = match self.balls[ball].velocity {
+            Some(velocity) => velocity,
+            None => {
+                self.recorder.pin(ball, span.start, &before[ball]);
+                let mut coasting = self.coast(&before[ball].velocity, span);
+                coasting.z = after[ball].velocity.z;
+                coasting
+            }
+        };
+        State {
+            velocity,
+            ..after[ball]
+        }
+    }
+
+    /// Velocity at the end of a step in which only the cloth acts.
+    fn coast(&self, velocity: &Vec3, span: Span) -> Vec3 {
+        let speed = velocity.xy().norm();
+        let lost = self.drag * (span.end - span.start);
+        if speed <= lost {
+            Vec3::zeros()
+        } else {
+            velocity * (1.0 - lost / speed)
+        }
+    }
+
+    /// Writes the stops of a step.
+    fn stops(&mut self, span: Span, before: &[State], after: &[State]) {
+        for ball in 0..after.len() {
+            if after[ball].speed() > self.rest_speed {
+                self.moving[ball] = true;
+            } else if self.moving[ball] {
+                self.moving[ball] = false;
+                let near = self.near(span, before, after, ball);
+                self.recorder.stop(ball, span.end, &near, &after[ball]);
+            }
+        }
+    }
+
+    /// Books what should stay small. `pushes` are the exchanges of the step.
+    fn extrema(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+        self.energy(span.end, before, after, pushes);
+        if !pushes.is_empty() {
+            self.momentum(span, before, after, pushes);
+        }
+        if self.scene.effects.contact.is_some() {
+            self.overlaps(span.end, after, pushes);
+        }
+        if let (Some(_), Some(table)) = (self.scene.effects.cushion, self.scene.table) {
+            for (index, state) in after.iter().enumerate() {
+                for side in Side::ALL {
+                    let reach = table.reach(side, self.scene.balls[index].radius);
+                    let beyond = f64::from(side.sign()) * (state.position[side.axis()] - reach);
+                    self.recorder.outside(span.end, beyond, index);
+                }
+            }
+        }
+    }
+
+    fn energy(&mut self, time: f64, before: &[State], after: &[State], pushes: &[Push]) {
+        let (mut total, mut largest, mut winner) = (0.0, f64::NEG_INFINITY, 0);
+        for (index, (b, a)) in before.iter().zip(after).enumerate() {
+            let mass = self.scene.balls[index].mass;
+            let inertia = self.scene.inertia(index);
+            let change = kinetic_energy(a, mass, inertia) - kinetic_energy(b, mass, inertia);
+            total += change;
+            if change > largest {
+                (largest, winner) = (change, index);
+            }
+        }
+        // who gained it: the pair that met, if one did
+        let (ball, other) = match pushes.first() {
+            Some(push) => match push.other {
+                Other::Ball(other) => (push.ball, Some(other)),
+                Other::Cushion(_) => (push.ball, None),
+            },
+            None => (winner, None),
+        };
+        self.recorder.energy_change(time, total, ball, other);
+    }
+
+    /// Momentum of each group of balls that meet in this step, beyond what the cloth can take: mu m g dt a ball. Groups that
+    /// meet a cushion as well have no sum to hold.
+    fn momentum(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+        for push in pushes {
+            match push.other {
+                Other::Cushion(_) => self.balls[push.ball].cushion = true,
+                Other::Ball(other) => {
+                    let (keep, drop) = (self.balls[push.ball].group, self.balls[other].group);
+                    for ball in &mut self.balls {
+                        if ball.group == drop {
+                            ball.group = keep;
+                        }
+                    }
+                }
+            }
+        }
+        let dt = span.end - span.start;
+        for push in pushes {
+            let Other::Ball(other) = push.other else {
+                continue;
+            };
+            let group = self.balls[push.ball].group;
+            let (mut change, mut allowed, mut cushion) = (Vec3::zeros(), 0.0, false);
+            for (index, ball) in self.balls.iter().enumerate() {
+                if ball.group == group {
+                    let mass = self.scene.balls[index].mass;
+                    change += (after[index].velocity - before[index].velocity) * mass;
+                    allowed += self.drag * mass * dt;
+                    cushion |= ball.cushion;
+                }
+            }
+            if !cushion {
+                let error = (change.xy().norm() - allowed).max(0.0);
+                self.recorder
+                    .momentum_error(span.end, error, push.ball, other);
+            }
+        }
+    }
+
+    fn overlaps(&mut self, time: f64, after: &[State], pushes: &[Push]) {
+        let depth = |a: usize, b: usize| {
+            let reach = self.scene.balls[a].radius + self.scene.balls[b].radius;
+            reach - (after[a].position - after[b].position).norm()
+        };
+        if after.len() <= SCAN_ALL_PAIRS {
+            for a in 0..after.len() {
+                for b in a + 1..after.len() {
+                    self.recorder.overlap(time, depth(a, b), a, b);
+                }
+            }
+            return;
+        }
+        for push in pushes {
+            if let Other::Ball(other) = push.other {
+                self.recorder
+                    .overlap(time, depth(push.ball, other), push.ball, other);
+            }
+        }
+    }
+}
