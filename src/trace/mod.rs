@@ -1,6 +1,7 @@
 //! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
 
 mod event;
+pub mod files;
 mod path;
 mod recorder;
 

@@ -94,7 +94,7 @@ impl Recorder {
         }
     }
 
-    /// A state that belongs to no event: where the step began in which a stepping engine found one.
+    /// A state that belongs to no event: where the step began in which a stepping engine found one, or stopped a ball.
     ///
     /// It keeps the interpolation honest: without it a ball that rests until it is hit would creep toward the place where
     /// the step with the hit left it.
@@ -219,14 +219,6 @@ impl Recorder {
             counters,
             ending,
             end_time: time,
-        }
-    }
-
-    /// A knot that belongs to no event, where the motion bends: an engine that stops a ball within a step shows the
-    /// step's start.
-    pub fn bend(&mut self, ball: usize, time: f64, state: &State) {
-        if self.record != Record::Final {
-            self.knot(ball, time, state);
         }
     }
 

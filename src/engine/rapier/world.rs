@@ -300,6 +300,7 @@ impl World for Billiard {
             energy: self.bodies.iter().map(energy).sum(),
             materials: self.materials(),
             ulp: <Self as World>::ULP,
+            contact_time: None,
         }
     }
 

@@ -551,7 +551,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[inline(never)]
     fn clamp(&mut self, step: u64, i: usize) {
         let state = self.balls.state(i);
-        self.recorder.bend(
+        self.recorder.pin(
             self.balls.scene_index[i],
             step as f64 * self.settings.dt,
             &state,
