@@ -63,6 +63,13 @@ pub struct Watch<'a> {
     pub cancelled: &'a AtomicBool,
 }
 
+impl Watch<'_> {
+    /// True once the user asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
 /// Whether and how cells are timed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Timing {

@@ -1,6 +1,8 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
+pub mod claims;
 pub mod compare;
 pub mod matrix;
+pub mod validation;
 
 pub use matrix::{Cell, Column, Ran, Timing, Watch};

@@ -9,7 +9,7 @@ mod page;
 mod words;
 
 pub use causes::Cause;
-pub use page::{LengthUnit, page, summary};
+pub use page::{LengthUnit, page, summary, thumbnail};
 pub use words::{describe_event, describe_scene};
 
 use super::matrix::{self, Cell, Column, Ran, Timing, Watch};

@@ -1,0 +1,337 @@
+//! The validation report: every scene of a set compared, the report's claims audited, one first screen.
+
+use super::claims::{self, Claim};
+use super::compare::{self, Outcome};
+use super::matrix::{Column, Timing, Watch};
+use crate::engine::ENGINES;
+use crate::finding::{
+    Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table,
+};
+use crate::scene::{Scene, SceneError, catalogue};
+
+/// Final positions closer than this, in R, are called equal in the first sentence: a hundredth of a ball's radius.
+const AGREE_WITHIN: f64 = 1e-2;
+
+/// The engine and setting that stand for the report's model in the first sentence.
+const REPORTS_MODEL: &str = "stepper";
+/// What it is held against there.
+const RIVAL: &str = "rapier-f64";
+
+/// Runs the comparison of every scene and the audit, and writes the report as a document.
+///
+/// `progress` counts scenes and the audit. A cancelled report concludes from what it has, and says so.
+pub fn study(
+    scenes: &[Scene],
+    columns: &[Column],
+    watch: Watch<'_>,
+) -> Result<Document, SceneError> {
+    let total = scenes.len() + 1;
+    let silent = Watch {
+        progress: &|_, _, _| {},
+        cancelled: watch.cancelled,
+    };
+    let mut outcomes = Vec::new();
+    for (done, scene) in scenes.iter().enumerate() {
+        if watch.is_cancelled() {
+            break;
+        }
+        (watch.progress)(done, total, &scene.name);
+        let richer = scene.richer.as_deref().map(catalogue::scene).transpose()?;
+        outcomes.push(compare::study(
+            scene,
+            richer.as_ref(),
+            columns,
+            Timing::Alone,
+            silent,
+        ));
+    }
+    (watch.progress)(scenes.len(), total, "the report's claims");
+    let claims = if watch.is_cancelled() {
+        Vec::new()
+    } else {
+        claims::audit(silent)?
+    };
+    (watch.progress)(total, total, "done");
+    Ok(conclude(scenes.len(), &outcomes, &claims, columns))
+}
+
+fn conclude(
+    planned: usize,
+    outcomes: &[Outcome],
+    claims: &[Claim],
+    columns: &[Column],
+) -> Document {
+    let mut blocks = Vec::new();
+    if outcomes.len() < planned || claims.is_empty() {
+        let text = format!(
+            "Cancelled: {} of {planned} scenes were compared.",
+            outcomes.len()
+        );
+        blocks.push(Block::Text(text));
+    }
+    blocks.push(Block::Table(scene_table(outcomes)));
+    if !claims.is_empty() {
+        blocks.push(Block::Heading("What the report got wrong".to_owned()));
+        blocks.push(Block::List(
+            claims
+                .iter()
+                .take(5)
+                .map(|claim| claim.found.clone())
+                .collect(),
+        ));
+    }
+    blocks.push(Block::Heading("What accuracy costs".to_owned()));
+    blocks.push(Block::Figure(cost_figure(outcomes)));
+    blocks.push(Block::Heading("Engines, and who shares what".to_owned()));
+    blocks.push(Block::Table(engine_table(columns)));
+    blocks.push(Block::Heading("How to reproduce every number".to_owned()));
+    blocks.push(Block::Command("carom report".to_owned()));
+    blocks.push(Block::Text(format!(
+        "carom {}. Every run is deterministic: the same build gives the same bits, times excepted. One scene alone: carom \
+         compare SCENE. Raw traces: carom run SCENE --engine ID --out DIR.",
+        env!("CARGO_PKG_VERSION")
+    )));
+    let mut pages: Vec<Document> = outcomes.iter().map(compare::page).collect();
+    if !claims.is_empty() {
+        pages.push(claims::page(claims));
+    }
+    Document {
+        id: "index".to_owned(),
+        title: "carom validation report".to_owned(),
+        lead: first_sentence(outcomes),
+        blocks,
+        pages,
+    }
+}
+
+/// "In n of m scenes the report's model and rapier agree; they part in ... because ...".
+fn first_sentence(outcomes: &[Outcome]) -> String {
+    let mut agree = Vec::new();
+    let mut part = Vec::new();
+    let mut compared = 0;
+    for outcome in outcomes {
+        let pair = outcome.pairs.iter().find(|pair| {
+            let label = |i: usize| outcome.entries[i].label();
+            (
+                label(pair.entries.0).as_str(),
+                label(pair.entries.1).as_str(),
+            ) == (REPORTS_MODEL, RIVAL)
+        });
+        let Some(pair) = pair else { continue };
+        compared += 1;
+        match (pair.standing.final_position, &pair.standing.order.parting) {
+            (Some(distance), None) if distance <= AGREE_WITHIN => agree.push(distance),
+            (_, parting) => part.push((outcome, parting.is_some())),
+        }
+    }
+    if compared == 0 {
+        return "The report's model and rapier were not compared.".to_owned();
+    }
+    let worst = agree.iter().copied().fold(0.0, f64::max);
+    let mut sentence = format!(
+        "In {} of {compared} scenes the report's model and rapier agree",
+        agree.len()
+    );
+    if !agree.is_empty() {
+        sentence += &format!(" to {worst:.1e} R");
+    }
+    let names = |in_order: bool| {
+        let own = part
+            .iter()
+            .filter(|(_, order)| *order == in_order)
+            .map(|(outcome, _)| outcome.scene.name.as_str());
+        own.collect::<Vec<_>>().join(", ")
+    };
+    let (order, distance) = (names(true), names(false));
+    if !order.is_empty() {
+        sentence += &format!("; in {order} they disagree on the order of collisions");
+    }
+    if !distance.is_empty() {
+        sentence += &format!("; in {distance} they agree on the order and end apart");
+    }
+    let worst_cause = part.iter().find_map(|(outcome, _)| {
+        let standing = outcome
+            .entries
+            .iter()
+            .find(|e| e.label() == REPORTS_MODEL)?
+            .standing
+            .as_ref()?;
+        Some((
+            outcome.scene.name.clone(),
+            standing.cause.as_ref()?.sentence(),
+        ))
+    });
+    match worst_cause {
+        Some((scene, cause)) => format!(
+            "{sentence}. In {scene} the report's model leaves the exact solution first because: {cause}."
+        ),
+        None => sentence + ".",
+    }
+}
+
+/// One row a scene: what each engine did, its worst number, a picture, a link.
+fn scene_table(outcomes: &[Outcome]) -> Table {
+    let mut labels: Vec<String> = Vec::new();
+    for entry in outcomes.iter().flat_map(|outcome| &outcome.entries) {
+        if !labels.contains(&entry.label()) {
+            labels.push(entry.label());
+        }
+    }
+    let mut columns = vec![
+        TableColumn::words("scene", "scene"),
+        TableColumn::words("picture", "paths"),
+    ];
+    columns.extend(
+        labels
+            .iter()
+            .map(|label| TableColumn::words(&label.replace([' ', '='], "-"), label)),
+    );
+    columns.push(TableColumn::number(
+        "worst",
+        "largest error of a final position (engine)",
+        "R",
+    ));
+    let mut rows = Vec::new();
+    for outcome in outcomes {
+        let name = &outcome.scene.name;
+        let mut row = vec![
+            Cell::Page(name.clone(), name.clone()),
+            compare::thumbnail(outcome),
+        ];
+        for label in &labels {
+            row.push(
+                outcome
+                    .entries
+                    .iter()
+                    .find(|e| e.label() == *label)
+                    .map_or(Cell::Empty, |entry| verdict(outcome, entry)),
+            );
+        }
+        row.push(worst(outcome));
+        rows.push(row);
+    }
+    let note = "order n/m: the first n of the m exact collisions come in the exact order. ends: largest distance of a final \
+                position from the exact one. Without an exact answer a cell says how the run ended.";
+    Table {
+        id: "scenes".to_owned(),
+        title: "Scenes".to_owned(),
+        columns,
+        rows,
+        note: note.to_owned(),
+    }
+}
+
+fn verdict(outcome: &Outcome, entry: &compare::Entry) -> Cell {
+    let trace = match &entry.cell {
+        Ok(ran) => &ran.trace,
+        Err(refusal) => return Cell::text(refusal.to_string()),
+    };
+    if outcome
+        .reference
+        .and_then(|i| outcome.entries[i].trace())
+        .is_some_and(|reference| std::ptr::eq(reference, trace))
+    {
+        let collisions = trace.collisions().count();
+        return Cell::text(format!("reference, {collisions} collisions"));
+    }
+    let Some(standing) = &entry.standing else {
+        return Cell::text(trace.ending.id());
+    };
+    let order = &standing.order;
+    let ends = standing
+        .final_position
+        .map_or("no ball to compare".to_owned(), |r| {
+            format!("ends {r:.1e} R off")
+        });
+    match order.reference_collisions {
+        0 if order.collisions == 0 => Cell::text(ends),
+        total => Cell::text(format!("order {}/{total}, {ends}", order.strict)),
+    }
+}
+
+fn worst(outcome: &Outcome) -> Cell {
+    let errors = outcome
+        .entries
+        .iter()
+        .filter_map(|e| Some((e.standing.as_ref()?.final_position?, e.label())));
+    match errors.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
+        Some((error, label)) => Cell::Owned(error, label),
+        None => Cell::Empty,
+    }
+}
+
+/// Error against time, one point a scene and engine.
+fn cost_figure(outcomes: &[Outcome]) -> Figure {
+    let mut series: Vec<Series> = Vec::new();
+    for outcome in outcomes {
+        for entry in &outcome.entries {
+            let Some(standing) = &entry.standing else {
+                continue;
+            };
+            let seconds = entry.cell.as_ref().ok().and_then(|ran| ran.seconds);
+            let Some((error, seconds)) = standing.final_position.zip(seconds) else {
+                continue;
+            };
+            let point = [error, seconds * 1e6];
+            match series.iter_mut().find(|s| s.name == entry.label()) {
+                Some(known) => known.points.push(point),
+                None => series.push(Series {
+                    name: entry.label(),
+                    points: vec![point],
+                    style: Style::Points,
+                }),
+            }
+        }
+    }
+    let exact = outcomes.iter().filter_map(|outcome| {
+        let ran = outcome.entries[outcome.reference?].cell.as_ref().ok()?;
+        Some(ran.seconds? * 1e6)
+    });
+    let slowest = exact.fold(0.0, f64::max);
+    Figure {
+        id: "cost".to_owned(),
+        title: "Error of the final positions against time per shot".to_owned(),
+        caption: format!(
+            "One point a scene. Left is better, low is faster. The exact engine, against which errors are measured, took at \
+             most {slowest:.0} us for any of these shots."
+        ),
+        x: Axis::log("largest error of a final position", "R"),
+        y: Axis::log("time per shot", "us"),
+        equal_scale: false,
+        outline: None,
+        series,
+        marks: Vec::new(),
+    }
+}
+
+/// Versions, methods, and code that engines share.
+pub fn engine_table(columns: &[Column]) -> Table {
+    let heads = vec![
+        TableColumn::words("engine", "engine"),
+        TableColumn::words("version", "version"),
+        TableColumn::words("method", "method"),
+        TableColumn::words("shares", "shares"),
+    ];
+    let used = ENGINES.iter().filter(|engine| {
+        columns
+            .iter()
+            .any(|column| column.engine.id() == engine.id())
+    });
+    let rows = used.map(|engine| {
+        let about = engine.about();
+        vec![
+            Cell::text(engine.id()),
+            Cell::text(engine.version()),
+            Cell::text(about.method),
+            Cell::text(about.shares),
+        ]
+    });
+    let note = "What two engines share cannot be tested by comparing them.";
+    Table {
+        id: "engines".to_owned(),
+        title: String::new(),
+        columns: heads,
+        rows: rows.collect(),
+        note: note.to_owned(),
+    }
+}
