@@ -4,7 +4,8 @@ use crate::math::Vec3;
 use crate::physics::contact::plan_distance;
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
 use crate::physics::{Effects, Side, State};
-use serde::{Serialize, Serializer};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
 /// A resolved scene: every ball explicit, every default applied, the shot already in the balls' velocities.
@@ -115,7 +116,7 @@ impl Shot {
 }
 
 /// What the exact engine does when an impact involves balls that touch others.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Simultaneous {
     /// End the run as indeterminate and say where: there is no unique answer.
