@@ -1,6 +1,7 @@
-//! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics.
+//! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics, seeded random numbers.
 
 pub mod angle;
+pub mod random;
 pub mod real;
 
 pub use real::Real;

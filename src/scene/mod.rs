@@ -1,8 +1,76 @@
 //! Scenes: the file as a person writes it, and the resolved [`Scene`] that engines see.
 //!
 //! The two are different types. In a [`Scene`] every ball is explicit, every default applied and the shot has been
-//! played, so that an engine has nothing left to interpret.
+//! played, so that an engine has nothing left to interpret. [`parse`] is the way from one to the other, and [`catalogue`]
+//! holds the scenes that come with the program. No path is touched here.
 
+pub mod catalogue;
+mod check;
+mod diagnostics;
+mod file;
+mod geometry;
+mod located;
+mod names;
+mod rack;
+mod resolve;
 mod resolved;
 
+pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest, printable};
+pub use file::{SceneFile, schema};
+pub use names::is_kebab_case;
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
+
+use located::Located;
+use toml::de::{DeTable, Error};
+
+/// Reads a scene from the text of a file. `file_name` is for messages only.
+///
+/// Every error of the file is reported at once, as far as one does not hide another: first syntax, then keys, types and
+/// ranges, then what does not fit together.
+pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
+    let invalid = |problems| SceneError::Invalid(Diagnostics::new(file_name, text, problems));
+    let (root, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        return Err(invalid(errors.iter().map(syntax).collect()));
+    }
+    let located = Located {
+        root: root.into_inner(),
+    };
+    let problems = check::check(&located, &schema());
+    if !problems.is_empty() {
+        return Err(invalid(problems));
+    }
+    // the walk above has seen every key and type; this cannot fail unless the schema and the types disagree
+    let file: SceneFile = toml::from_str(text).map_err(|error| invalid(vec![syntax(&error)]))?;
+    resolve::resolve(file, &located).map_err(invalid)
+}
+
+/// Reads a scene from the bytes of a file, which must be UTF-8.
+pub fn parse_bytes(file_name: &str, bytes: &[u8]) -> Result<Scene, SceneError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => parse(file_name, text),
+        Err(error) => {
+            let at = error.valid_up_to();
+            let text = String::from_utf8_lossy(bytes);
+            let byte = bytes.get(at).copied().unwrap_or_default();
+            let problem = Diagnostic::new(
+                Kind::Encoding,
+                at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
+                format!("the file is not UTF-8 text: byte {byte:#04x}"),
+                "save it as UTF-8",
+            );
+            let diagnostics = Diagnostics::new(file_name, &text, vec![problem]);
+            Err(SceneError::Invalid(diagnostics))
+        }
+    }
+}
+
+fn syntax(error: &Error) -> Diagnostic {
+    let help = "a scene is a TOML file: `[table]` headers and lines of `key = value`";
+    Diagnostic::new(
+        Kind::Syntax,
+        error.span().unwrap_or_default(),
+        error.message().replace('\n', ", "),
+        help,
+    )
+}

@@ -6,7 +6,8 @@ use crate::physics::contact::plan_distance;
 use crate::physics::cue::speed_from_force;
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
 use crate::physics::{Effects, Side, State};
-use serde::{Serialize, Serializer};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
 /// A resolved scene: every ball explicit, every default applied, the shot already in the balls' velocities.
@@ -129,7 +130,7 @@ impl Shot {
 }
 
 /// What the exact engine does when an impact involves balls that touch others.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Simultaneous {
     /// End the run as indeterminate and say where: there is no unique answer.

@@ -1,0 +1,157 @@
+//! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
+
+use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
+use clap::Subcommand;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// What `carom scene` can do.
+#[derive(Clone, Debug, Subcommand)]
+pub enum SceneCommand {
+    /// List the scenes of the catalogue.
+    List,
+    /// Print a scene of the catalogue as written, ready to be saved and changed.
+    Show {
+        /// Name of the scene.
+        name: String,
+    },
+    /// Check scene files; says `ok` for each or what is wrong with it, and where.
+    Check {
+        /// Scene files, or names of catalogue scenes.
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<String>,
+    },
+    /// Print the JSON Schema of the scene format, for editors.
+    Schema,
+}
+
+/// Why a SCENE on the command line is not a scene.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// The file cannot be read.
+    #[error("cannot read {}: {why}", printable(&.path.display().to_string()))]
+    Unreadable {
+        /// The path as given.
+        path: PathBuf,
+        /// The reason.
+        why: String,
+    },
+    /// The file is not a scene, or no scene has the name.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+}
+
+impl LoadError {
+    /// The message as shown to a person, with `error:` before it, in colour if `colour`.
+    pub fn render(&self, colour: bool) -> String {
+        match self {
+            LoadError::Scene(SceneError::Invalid(diagnostics)) => diagnostics.render(colour),
+            other => format!("error: {other}"),
+        }
+    }
+}
+
+/// The scene that SCENE names: a catalogue name or a path.
+///
+/// A word that could be a name is one; anything with a dot or a slash is a path, as is a name that only a file has.
+pub fn resolve(scene: &str) -> Result<Scene, LoadError> {
+    if let Some(entry) = catalogue::find(scene) {
+        return Ok(entry.scene()?);
+    }
+    let path = Path::new(scene);
+    if is_kebab_case(scene) && !path.is_file() {
+        return Err(catalogue::unknown(scene).into());
+    }
+    load(path)
+}
+
+/// The scene in the file at `path`.
+pub fn load(path: &Path) -> Result<Scene, LoadError> {
+    let unreadable = |why: String| LoadError::Unreadable {
+        path: path.to_owned(),
+        why,
+    };
+    if path.is_dir() {
+        return Err(unreadable("it is a directory, not a file".to_owned()));
+    }
+    let bytes = fs::read(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => unreadable("there is no such file".to_owned()),
+        io::ErrorKind::PermissionDenied => unreadable("permission denied".to_owned()),
+        _ => unreadable(error.to_string()),
+    })?;
+    Ok(parse_bytes(&path.display().to_string(), &bytes)?)
+}
+
+/// The catalogue as a table.
+pub fn list_document() -> Result<Document, SceneError> {
+    let mut rows = Vec::new();
+    for entry in catalogue::all() {
+        let scene = entry.scene()?;
+        rows.push(vec![
+            Cell::text(&scene.name),
+            Cell::text(scene.sets.join(" ")),
+            Cell::Count(scene.balls.len() as u64),
+            Cell::text(scene.effects.named().join(" ")),
+            Cell::text(&scene.description),
+        ]);
+    }
+    let table = Table {
+        id: "scenes".to_owned(),
+        columns: vec![
+            Column::words("scene", "scene"),
+            Column::words("sets", "sets"),
+            Column::number("balls", "balls", ""),
+            Column::words("effects", "effects"),
+            Column::words("description", "what it is, and what would be right"),
+        ],
+        rows,
+        note: "`carom scene show NAME` prints the file of a scene.".to_owned(),
+        ..Table::default()
+    };
+    Ok(Document {
+        id: "scenes".to_owned(),
+        title: "Scenes".to_owned(),
+        blocks: vec![Block::Table(table)],
+        ..Document::default()
+    })
+}
+
+/// The text of the catalogue scene called `name`, as written.
+pub fn show(name: &str) -> Result<&'static str, LoadError> {
+    let entry = catalogue::find(name).ok_or_else(|| catalogue::unknown(name))?;
+    Ok(entry.text)
+}
+
+/// Checks every file; writes `ok` lines to `out` and errors to `err`. True if all are scenes.
+pub fn check(
+    files: &[String],
+    colour: bool,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> io::Result<bool> {
+    let mut all_right = true;
+    for file in files {
+        match resolve(file) {
+            Ok(scene) => {
+                let balls = scene.balls.len();
+                let plural = if balls == 1 { "" } else { "s" };
+                let name = printable(file);
+                writeln!(out, "{name}: ok, {} with {balls} ball{plural}", scene.name)?;
+            }
+            Err(error) => {
+                all_right = false;
+                writeln!(err, "{}\n", error.render(colour))?;
+            }
+        }
+    }
+    Ok(all_right)
+}
+
+/// The JSON Schema of the scene format, as text.
+pub fn schema_text() -> String {
+    format!("{:#}\n", schema())
+}

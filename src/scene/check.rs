@@ -1,0 +1,416 @@
+//! Holds a parsed file against the schema: unknown and missing keys, types, ranges, two laws for one choice, reserved keys.
+//!
+//! One walk finds all of them at once, each with its position. It knows no key by name: keys, types, ranges and advice come
+//! from the schema, which comes from the types of `file`, so a new key or law is checked as soon as it exists.
+
+use super::diagnostics::{Diagnostic, Kind, nearest, printable};
+use super::file::{Reserved, reserved};
+use super::located::{Located, header, join, last};
+use serde_json::Value;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+/// Largest size of a number in a scene. Its square, and that of a speed times a duration, stays far from overflow.
+pub(super) const LARGEST: f64 = 1e30;
+
+/// Smallest size of a number in a scene that is not 0. Its square stays far from underflow.
+pub(super) const SMALLEST: f64 = 1e-30;
+
+/// Everything in which the file at hand departs from `schema`.
+pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
+    let mut walk = Walk {
+        schema,
+        reserved: reserved(),
+        problems: Vec::new(),
+    };
+    walk.table("", schema, &located.root, 0..0);
+    walk.problems
+}
+
+struct Walk<'s> {
+    schema: &'s Value,
+    reserved: Vec<Reserved>,
+    problems: Vec<Diagnostic>,
+}
+
+type Entry<'a, 't> = (&'a Spanned<DeString<'t>>, &'a Spanned<DeValue<'t>>);
+
+impl<'s> Walk<'s> {
+    /// The schema that says what a value is, behind references and `null` alternatives.
+    fn target(&self, mut schema: &'s Value) -> &'s Value {
+        loop {
+            if let Some(reference) = schema["$ref"].as_str() {
+                let pointer = reference.trim_start_matches('#');
+                match self.schema.pointer(pointer) {
+                    Some(found) => schema = found,
+                    None => return schema,
+                }
+            } else if let Some(real) = list(&schema["anyOf"])
+                .iter()
+                .find(|choice| choice["type"] != "null")
+            {
+                schema = real;
+            } else {
+                return schema;
+            }
+        }
+    }
+
+    fn value(&mut self, path: &str, schema: &'s Value, value: &Spanned<DeValue<'_>>) {
+        let target = self.target(schema);
+        let advice = advice(schema, target);
+        let span = value.span();
+        if let Some(words) = words(target) {
+            return self.word(path, &words, value);
+        }
+        match (kind_of(target), value.get_ref()) {
+            ("choice", DeValue::Table(table)) => self.choice(path, variants(target), table, span),
+            ("object", DeValue::Table(table)) => self.table(path, target, table, span),
+            ("array", DeValue::Array(items)) => {
+                let size = target["minItems"].as_u64();
+                if size.is_some_and(|n| n != items.len() as u64) {
+                    let found = items.len();
+                    let message = format!("{} must be {}, not {found}", last(path), wanted(target));
+                    self.report(Kind::WrongType, span, message, advice);
+                }
+                for (i, item) in items.iter().enumerate() {
+                    self.value(&format!("{path}[{i}]"), &target["items"], item);
+                }
+            }
+            ("number", DeValue::Float(_) | DeValue::Integer(_)) => {
+                self.number(path, target, &advice, value);
+            }
+            ("integer", DeValue::Integer(_)) => self.number(path, target, &advice, value),
+            ("string", DeValue::String(_)) | ("boolean", DeValue::Boolean(_)) => {}
+            (_, found) => {
+                let found = name_of_type(found);
+                let message = format!("{} must be {}, not {found}", last(path), wanted(target));
+                self.report(Kind::WrongType, span, message, advice);
+            }
+        }
+    }
+
+    fn number(&mut self, path: &str, schema: &Value, advice: &str, value: &Spanned<DeValue<'_>>) {
+        let must = format!("{} must be {}", last(path), wanted(schema));
+        let x = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().unwrap_or(f64::NAN),
+            // TOML promises 64 bits for integers; larger ones are numbers all the same, but must be written as such
+            DeValue::Integer(digits) => {
+                match i64::from_str_radix(digits.as_str(), digits.radix()) {
+                    Ok(whole) => whole as f64,
+                    Err(_) => {
+                        let help = "write it with a decimal point or an exponent, such as 1.0e20";
+                        return self.report(Kind::OutOfRange, value.span(), must, help);
+                    }
+                }
+            }
+            _ => f64::NAN,
+        };
+        let low = schema["minimum"].as_f64().is_some_and(|least| x < least)
+            || schema["exclusiveMinimum"]
+                .as_f64()
+                .is_some_and(|bound| x <= bound);
+        let high = schema["maximum"].as_f64().is_some_and(|most| x > most);
+        // shortest decimals never round to an infinity, so one that was written in digits is too large
+        let written_in_digits = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().contains(|c: char| c.is_ascii_digit()),
+            _ => true,
+        };
+        if !x.is_finite() && !written_in_digits {
+            self.report(Kind::NotFinite, value.span(), must, advice);
+        } else if low || high {
+            self.report(Kind::OutOfRange, value.span(), must, advice);
+        } else if x != 0.0 && !(SMALLEST..=LARGEST).contains(&x.abs()) {
+            let message = format!(
+                "{} must be 0 or between {SMALLEST:e} and {LARGEST:e} in size",
+                last(path)
+            );
+            let help = "choose units in which the numbers of the scene are nearer to 1";
+            self.report(Kind::OutOfRange, value.span(), message, help);
+        }
+    }
+
+    fn word(&mut self, path: &str, words: &[&str], value: &Spanned<DeValue<'_>>) {
+        let all = words
+            .iter()
+            .map(|word| format!("\"{word}\""))
+            .collect::<Vec<_>>()
+            .join(", ");
+        let DeValue::String(word) = value.get_ref() else {
+            let found = name_of_type(value.get_ref());
+            let message = format!("{} must be one of {all}, not {found}", last(path));
+            return self.report(Kind::WrongType, value.span(), message, "write it in quotes");
+        };
+        if words.contains(&word.as_ref()) {
+            return;
+        }
+        if let Some(what) = self.reserved_at(&format!("{path}={word}")) {
+            let message = format!("{path} = \"{word}\" is reserved for something not built yet");
+            let help = format!("it will be: {what}; built so far: {all}");
+            return self.report(Kind::NotBuilt, value.span(), message, help);
+        }
+        let message = format!("unknown word \"{word}\" for {}", last(path));
+        let help = with_guess(word, words.iter().copied(), &format!("known are {all}"));
+        self.report(Kind::WrongType, value.span(), message, help);
+    }
+
+    fn table(&mut self, path: &str, schema: &'s Value, table: &DeTable<'_>, span: Range<usize>) {
+        let known = &schema["properties"];
+        for (key, value) in table {
+            let inner = join(path, key.get_ref());
+            if let Some(property) = known.get(key.get_ref().as_ref()) {
+                self.value(&inner, property, value);
+            } else if let Some(what) = self.reserved_at(&inner) {
+                self.not_built(&inner, what, key.span(), &[]);
+            } else if self.is_reserved_group(&inner) {
+                match value.get_ref() {
+                    DeValue::Table(group) => self.choice(&inner, Vec::new(), group, value.span()),
+                    _ => self.unknown_key(path, (key, value), keys(known)),
+                }
+            } else {
+                self.unknown_key(path, (key, value), keys(known));
+            }
+        }
+        for key in list(&schema["required"]).iter().filter_map(Value::as_str) {
+            if !table.contains_key(key) {
+                let property = known.get(key).unwrap_or(&Value::Null);
+                let target = self.target(property);
+                let message = format!("{} must have `{key}`, {}", header(path), wanted(target));
+                let help = advice(property, target);
+                self.report_at(missing(span.clone(), message, help));
+            }
+        }
+    }
+
+    /// A table that names one of several laws, each a table of its own.
+    fn choice(
+        &mut self,
+        path: &str,
+        variants: Vec<(&'s str, &'s Value)>,
+        table: &DeTable<'_>,
+        span: Range<usize>,
+    ) {
+        let mut named: Vec<Range<usize>> = Vec::new();
+        let mut laws = Vec::new();
+        for (key, value) in table {
+            let inner = join(path, key.get_ref());
+            let law = variants.iter().find(|(name, _)| name == key.get_ref());
+            if let Some((_, schema)) = law {
+                self.value(&inner, schema, value);
+            } else if let Some(what) = self.reserved_at(&inner) {
+                let built: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
+                self.not_built(&inner, what, key.span(), &built);
+            } else {
+                let known = variants.iter().map(|(name, _)| *name).collect();
+                self.unknown_key(path, (key, value), known);
+                continue;
+            }
+            named.push(key.span());
+            laws.push((key.span().start, key.get_ref().to_string()));
+        }
+        if named.len() > 1 {
+            laws.sort();
+            named.sort_by_key(|span| span.start);
+            let laws: Vec<String> = laws.iter().map(|(_, name)| format!("`{name}`")).collect();
+            let message = format!(
+                "two laws for one choice in {}: {}",
+                header(path),
+                laws.join(" and ")
+            );
+            let help = "name one of them and remove the other";
+            let mut problem = Diagnostic::new(Kind::TwoLaws, named[1].clone(), message, help)
+                .labelled("this is one more");
+            problem = problem.and(named[0].clone(), "one is named here");
+            self.report_at(problem);
+        } else if named.is_empty() && table.is_empty() {
+            let known: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
+            let message = format!("{} names no law", header(path));
+            let help = format!("known are {}", quoted(&known));
+            self.report_at(missing(span, message, help));
+        }
+    }
+
+    fn not_built(&mut self, path: &str, what: &str, span: Range<usize>, built: &[&str]) {
+        let message = format!("`[{path}]` is reserved for something not built yet");
+        let mut help = format!("it will be: {what}");
+        if !built.is_empty() {
+            help += &format!("; built so far: {}", quoted(built));
+        }
+        self.report(Kind::NotBuilt, span, message, help);
+    }
+
+    fn unknown_key(&mut self, path: &str, (key, value): Entry<'_, '_>, known: Vec<&str>) {
+        let word = key.get_ref();
+        let top = keys(&self.schema["properties"]);
+        let misplaced =
+            !path.is_empty() && top.contains(&word.as_ref()) && !known.contains(&word.as_ref());
+        let message = format!("unknown key `{word}` in {}", header(path));
+        let help = if misplaced && !matches!(value.get_ref(), DeValue::Table(_)) {
+            format!("`{word}` belongs at the top of the file, before the first [table]")
+        } else if known.is_empty() {
+            format!("{} takes no keys", header(path))
+        } else {
+            with_guess(
+                word,
+                known.iter().copied(),
+                &format!("known are {}", quoted(&known)),
+            )
+        };
+        self.report(Kind::UnknownKey, key.span(), message, help);
+    }
+
+    fn reserved_at(&self, path: &str) -> Option<&'static str> {
+        let entry = self.reserved.iter().find(|entry| entry.path == path);
+        entry.map(|entry| entry.what)
+    }
+
+    fn is_reserved_group(&self, path: &str) -> bool {
+        let start = format!("{path}.");
+        self.reserved.iter().any(|r| r.path.starts_with(&start))
+    }
+
+    fn report(
+        &mut self,
+        kind: Kind,
+        span: Range<usize>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.report_at(Diagnostic::new(kind, span, message, help));
+    }
+
+    fn report_at(&mut self, problem: Diagnostic) {
+        self.problems.push(problem);
+    }
+}
+
+/// A missing key: the mark is the header of the table that lacks it, or the start of the file.
+pub(super) fn missing(
+    span: Range<usize>,
+    message: impl Into<String>,
+    help: impl Into<String>,
+) -> Diagnostic {
+    let label = if span.is_empty() {
+        "at the top of the file"
+    } else {
+        "in this table"
+    };
+    Diagnostic::new(Kind::Missing, span, message, help).labelled(label)
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn keys(properties: &Value) -> Vec<&str> {
+    let map = properties.as_object();
+    map.map_or_else(Vec::new, |map| map.keys().map(String::as_str).collect())
+}
+
+/// The words of a schema that is a choice of words.
+fn words(schema: &Value) -> Option<Vec<&str>> {
+    if let Some(words) = schema["enum"].as_array() {
+        return Some(words.iter().filter_map(Value::as_str).collect());
+    }
+    let choices = list(&schema["oneOf"]);
+    let words: Vec<&str> = choices.iter().filter_map(|c| c["const"].as_str()).collect();
+    (!words.is_empty() && words.len() == choices.len()).then_some(words)
+}
+
+/// The laws of a schema that is a choice of tables.
+fn variants(schema: &Value) -> Vec<(&str, &Value)> {
+    let properties = list(&schema["oneOf"])
+        .iter()
+        .filter_map(|choice| choice["properties"].as_object());
+    properties
+        .flat_map(|map| map.iter().map(|(name, law)| (name.as_str(), law)))
+        .collect()
+}
+
+fn kind_of(schema: &Value) -> &str {
+    if schema["oneOf"].is_array() {
+        return "choice";
+    }
+    match &schema["type"] {
+        Value::String(kind) => kind,
+        Value::Array(kinds) => kinds
+            .iter()
+            .filter_map(Value::as_str)
+            .find(|kind| *kind != "null")
+            .unwrap_or_default(),
+        _ => "",
+    }
+}
+
+/// What a value must be, in words.
+fn wanted(schema: &Value) -> String {
+    match kind_of(schema) {
+        "choice" => "a table with one law".to_owned(),
+        "object" => "a table".to_owned(),
+        "array" => match schema["minItems"].as_u64() {
+            Some(n) => format!("a list of {n} numbers"),
+            None => "a list".to_owned(),
+        },
+        "string" => "text in quotes".to_owned(),
+        "boolean" => "true or false".to_owned(),
+        kind => {
+            let what = if kind == "integer" {
+                "a whole number"
+            } else {
+                "a finite number"
+            };
+            what.to_owned() + &range(schema)
+        }
+    }
+}
+
+fn range(schema: &Value) -> String {
+    let bound = |key: &str| schema[key].as_f64();
+    match (
+        bound("minimum"),
+        bound("exclusiveMinimum"),
+        bound("maximum"),
+    ) {
+        (Some(least), _, Some(most)) => format!(" from {least} to {most}"),
+        (Some(least), _, None) => format!(", {least} or greater"),
+        (None, Some(bound), None) => format!(" greater than {bound}"),
+        (None, Some(bound), Some(most)) => format!(" greater than {bound}, at most {most}"),
+        (None, None, Some(most)) => format!(", at most {most}"),
+        (None, None, None) => String::new(),
+    }
+}
+
+/// The advice of a description: what follows its last semicolon, else all of it.
+fn advice(schema: &Value, target: &Value) -> String {
+    let description = schema["description"]
+        .as_str()
+        .or(target["description"].as_str())
+        .unwrap_or_default();
+    let words = description.split_whitespace().collect::<Vec<_>>().join(" ");
+    let advice = words.rsplit("; ").next().unwrap_or_default();
+    advice.trim_end_matches('.').to_owned()
+}
+
+fn with_guess<'a>(word: &str, known: impl Iterator<Item = &'a str>, otherwise: &str) -> String {
+    match nearest(word, known) {
+        Some(guess) => format!("did you mean `{}`? {otherwise}", printable(guess)),
+        None => otherwise.to_owned(),
+    }
+}
+
+fn quoted(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    quoted.join(", ")
+}
+
+fn name_of_type(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

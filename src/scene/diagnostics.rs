@@ -1,0 +1,272 @@
+//! What is wrong with a scene file, where, and what would be right.
+//!
+//! A [`Diagnostic`] marks bytes of the text; [`Diagnostics`] holds all of one file and renders them as a compiler does. This
+//! room knows text and positions only, no scene.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::fmt;
+use std::ops::Range;
+use thiserror::Error;
+
+/// The kinds of error that a scene file can have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Kind {
+    /// The file is not UTF-8 text.
+    Encoding,
+    /// The text is not TOML.
+    Syntax,
+    /// A key that the format does not have.
+    UnknownKey,
+    /// A value of the wrong type, or a word that is not among the choices.
+    WrongType,
+    /// NaN or an infinity.
+    NotFinite,
+    /// A number outside its range.
+    OutOfRange,
+    /// A required key that is not there.
+    Missing,
+    /// Balls that overlap.
+    Overlap,
+    /// A ball outside the table.
+    Outside,
+    /// Two laws, or two statements, for one choice.
+    TwoLaws,
+    /// An id, or a word of a set, used twice.
+    Duplicate,
+    /// A key that is reserved for something not built yet.
+    NotBuilt,
+    /// A name that breaks the rules for names.
+    BadName,
+    /// A ball that the scene does not have.
+    UnknownBall,
+    /// A value that no named effect could use.
+    NoEffect,
+}
+
+/// One thing that is wrong with a scene file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What kind of error it is.
+    pub kind: Kind,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+    /// The bytes of the text that are wrong.
+    pub span: Range<usize>,
+    /// Words under the marked bytes.
+    pub label: String,
+    /// Other places that have to do with it, each with a few words.
+    pub also: Vec<(Range<usize>, String)>,
+    /// What would be right.
+    pub help: String,
+}
+
+impl Diagnostic {
+    /// An error at `span` that says what is wrong and what would be right.
+    pub fn new(
+        kind: Kind,
+        span: Range<usize>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Self {
+        Diagnostic {
+            kind,
+            message: message.into(),
+            span,
+            label: "here".to_owned(),
+            also: Vec::new(),
+            help: help.into(),
+        }
+    }
+
+    /// The same error with other words under the mark.
+    pub fn labelled(mut self, label: impl Into<String>) -> Self {
+        self.label = label.into();
+        self
+    }
+
+    /// The same error with a second place marked.
+    pub fn and(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
+        self.also.push((span, label.into()));
+        self
+    }
+}
+
+/// Everything that is wrong with one scene file, in the order of the text. At least one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics {
+    /// Name of the file, as the user gave it.
+    pub file: String,
+    /// Its text; bytes that are not UTF-8 are replaced.
+    pub text: String,
+    /// The errors, by position.
+    pub problems: Vec<Diagnostic>,
+}
+
+/// How many errors of one file are shown; the rest is counted.
+const SHOWN: usize = 20;
+
+impl Diagnostics {
+    /// The errors of `file`, brought into the order of the text.
+    pub fn new(file: &str, text: &str, mut problems: Vec<Diagnostic>) -> Self {
+        problems.sort_by_key(|problem| problem.span.start);
+        Diagnostics {
+            file: file.to_owned(),
+            text: text.to_owned(),
+            problems,
+        }
+    }
+
+    /// Line and column of byte `offset`, both from 1; columns count characters.
+    pub fn position(&self, offset: usize) -> (usize, usize) {
+        let before = self.text.get(..offset).unwrap_or(&self.text);
+        let line = before.matches('\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        (line, before[start..].chars().count() + 1)
+    }
+
+    /// The errors as a compiler shows them, with ANSI colours if `colour`. No newline at the end.
+    pub fn render(&self, colour: bool) -> String {
+        let renderer = if colour {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        let shown = self.problems.iter().take(SHOWN);
+        let mut parts: Vec<String> = shown
+            .map(|problem| self.render_one(&renderer, problem))
+            .collect();
+        if self.problems.len() > SHOWN {
+            let more = self.problems.len() - SHOWN;
+            parts.push(format!("error: {}: {more} more errors", self.file));
+        }
+        parts.join("\n\n")
+    }
+
+    fn render_one(&self, renderer: &Renderer, problem: &Diagnostic) -> String {
+        let mark = |span: &Range<usize>, kind: AnnotationKind, label: &str| {
+            kind.span(self.within(span)).label(label.to_owned())
+        };
+        let primary = mark(&problem.span, AnnotationKind::Primary, &problem.label);
+        let others = problem
+            .also
+            .iter()
+            .map(|(span, label)| mark(span, AnnotationKind::Context, label));
+        let snippet = Snippet::source(self.text.as_str())
+            .path(printable(&self.file))
+            .annotation(primary)
+            .annotations(others);
+        let group: Group<'_> = Level::ERROR
+            .primary_title(printable(&problem.message))
+            .element(snippet)
+            .element(Level::HELP.message(printable(&problem.help)));
+        without_empty_gutter_before_help(&renderer.render(&[group]))
+    }
+
+    /// The span cut to the text and to whole characters, so that no input can make the renderer slip.
+    fn within(&self, span: &Range<usize>) -> Range<usize> {
+        let clip = |at: usize| {
+            let mut at = at.min(self.text.len());
+            while !self.text.is_char_boundary(at) {
+                at -= 1;
+            }
+            at
+        };
+        let (start, end) = (clip(span.start), clip(span.end));
+        // a mark over several lines would show all of them: its first line says enough
+        let first_line = self.text[start..end.max(start)]
+            .find('\n')
+            .map_or(end.max(start), |newline| start + newline);
+        start..first_line
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+/// `text` with control characters shown as escapes: a file must not be able to command a terminal.
+pub fn printable(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c.is_control() {
+            out.extend(c.escape_default());
+        } else {
+            out.push(c);
+        }
+    }
+    out
+}
+
+/// The renderer puts an empty gutter line between the snippet and the help; the mark already parts them.
+fn without_empty_gutter_before_help(rendered: &str) -> String {
+    let lines: Vec<&str> = rendered.lines().collect();
+    let mut kept = Vec::with_capacity(lines.len());
+    for (i, line) in lines.iter().enumerate() {
+        let before_help = lines
+            .get(i + 1)
+            .is_some_and(|next| next.trim_start().starts_with("= "));
+        if !(before_help && line.trim() == "|") {
+            kept.push(*line);
+        }
+    }
+    kept.join("\n")
+}
+
+/// The word of `known` that `word` most likely was meant to be: at most a third of its letters differ.
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let allowed = (word.chars().count() / 3).max(1);
+    known
+        .into_iter()
+        .map(|candidate| (edits(word, candidate), candidate))
+        .filter(|&(distance, _)| distance <= allowed)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
+fn edits(from: &str, to: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
+    if a.len().abs_diff(b.len()) > b.len().max(3) {
+        return usize::MAX; // far apart; a word from a file may be long
+    }
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = replaced.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(best);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+/// Why there is no scene.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// The file is not a valid scene.
+    #[error("{0}")]
+    Invalid(Diagnostics),
+    /// The catalogue has no scene of this name.
+    #[error("no scene is called `{}`{}; known are {known}", printable(name), did_you_mean(nearest.as_deref()))]
+    Unknown {
+        /// The name that was asked for.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+        /// All names, separated by commas.
+        known: String,
+    },
+}
+
+fn did_you_mean(nearest: Option<&str>) -> String {
+    nearest.map_or(String::new(), |name| format!("; did you mean `{name}`?"))
+}
