@@ -1,6 +1,7 @@
 //! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics.
 
 pub mod angle;
+pub mod first_root;
 pub mod real;
 
 pub use real::Real;
