@@ -1,6 +1,7 @@
 //! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics, seeded random numbers.
 
 pub mod angle;
+pub mod first_root;
 pub mod random;
 pub mod real;
 

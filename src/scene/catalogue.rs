@@ -40,6 +40,8 @@ pub fn all() -> &'static [Entry] {
         "report-break",
         "report-break-central",
         "report-break-frozen",
+        "report-break-tight",
+        "report-break-tight-mirrored",
         "slide",
         "head-on",
         "oblique",

@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 mod architecture;
+mod exact;
 mod rapier;
+mod references;
 mod stepper;
 mod support;
 mod trace_files;

@@ -1,17 +1,43 @@
-//! The event-driven engine.
+//! Engine `exact`: event-driven, in closed form; the reference that accuracy is measured against.
+//!
+//! - [`flight`]: a ball between two events, for any cloth.
+//! - `world`: what stays the same during a run, and what its scalar can tell apart.
+//! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
+//! - `queue`: which ball is next.
+//! - `simultaneous`: whether the order of impacts at one instant matters.
+//! - `solve`: the event loop.
+//!
+//! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
+//! says so; it never chooses silently.
 
-use super::setting::knobs_of;
-use super::{About, Engine, Knob, Refusal, Run, Setting};
-use crate::physics::invariants::Invariant;
-use crate::scene::Scene;
+pub mod flight;
+mod predict;
+mod queue;
+mod simultaneous;
+mod solve;
+mod world;
+
+use super::setting::{knobs_of, parameters};
+use super::sheet::Role;
+use super::{
+    About, Engine, Inside, Knob, Limits, PairMaterial, Parameter, Partner, Refusal, Run, Setting,
+};
+use crate::math::Real;
+use crate::physics::invariants::{Invariant, kinetic_energy};
+use crate::physics::{Cloth, Contact, Cushion};
+use crate::scene::{Ball, Scene};
+use crate::trace::{Provenance, Record, Trace};
+use flight::Ground;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use solve::Solver;
+use world::World;
 
 /// The event-driven engine.
 #[derive(Debug)]
 pub struct Exact;
 
-/// Settings.
+/// Settings of `exact`: none that changes physics yet; it runs in f64.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Settings {}
 
@@ -19,37 +45,247 @@ impl Engine for Exact {
     fn id(&self) -> &'static str {
         "exact"
     }
+
     fn version(&self) -> String {
-        String::new()
+        format!("carom exact {}", env!("CARGO_PKG_VERSION"))
     }
+
     fn about(&self) -> About {
         About {
-            method: "",
-            shares: "",
+            method: "Event-driven: every ball moves in closed form from one event to the next, and the time of each event is the \
+                     first root of its equation; there is no time step.",
+            shares: "The impact laws (physics::contact, physics::cushion) with stepper; the cloth is written anew.",
         }
     }
+
     fn knobs(&self) -> Vec<Knob> {
         knobs_of::<Settings>()
     }
-    fn missing(&self, _scene: &Scene) -> Vec<&'static str> {
-        vec!["anything yet"]
+
+    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+        // exhaustive, so that a new law does not compile until it is answered here
+        match (
+            scene.effects.cloth,
+            scene.effects.contact,
+            scene.effects.cushion,
+        ) {
+            (
+                None | Some(Cloth::Translational { .. }),
+                None | Some(Contact::Elastic {}),
+                None | Some(Cushion::Elastic {}),
+            ) => Vec::new(),
+        }
     }
-    fn promises(&self, _scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
-        Vec::new()
+
+    fn promises(&self, scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
+        let mut promised = vec![
+            Invariant::Finite,
+            Invariant::Momentum,
+            Invariant::ImpactEnergy,
+            Invariant::EnergyNeverGrows,
+            Invariant::Bounds,
+            Invariant::Overlap,
+            Invariant::Rerun,
+            Invariant::Mirror,
+            Invariant::Relabelling,
+            Invariant::QuarterTurn,
+            Invariant::Scaling,
+        ];
+        let world = World::<f64>::new(scene);
+        match world.ground {
+            // d/dt sqrt(E) is at most -mu g sqrt(m/2) with the lightest mass while anything moves
+            Ground::Coulomb(deceleration) => {
+                if world.fastest / deceleration <= scene.duration {
+                    promised.push(Invariant::EverythingStops);
+                }
+            }
+            Ground::Frictionless => promised.push(Invariant::TimeReversal),
+        }
+        promised
     }
+
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
-        Vec::new()
+        vec![("precision", vec![Setting::default()])]
     }
+
     fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
         Vec::new()
     }
+
     fn prepare<'a>(
         &self,
         scene: &'a Scene,
-        _setting: &Setting,
+        setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
-        Err(Refusal::NotComparable {
-            missing: self.missing(scene),
-        })
+        let settings: Settings = setting.read()?;
+        Ok(Box::new(Prepared {
+            scene,
+            solver: Solver::<f64>::new(scene),
+            provenance: Provenance {
+                engine: self.id().to_owned(),
+                version: self.version(),
+                parameters: parameters(&settings),
+                scene: scene.name.clone(),
+                scene_hash: scene.hash(),
+                resolution: 0.0,
+                rest_speed: 0.0,
+            },
+        }))
+    }
+}
+
+/// A scene inside the engine, in the scalar `T`.
+struct Prepared<'a, T: Real> {
+    scene: &'a Scene,
+    solver: Solver<'a, T>,
+    provenance: Provenance,
+}
+
+impl<T: Real> Run for Prepared<'_, T> {
+    fn inside(&self) -> Inside {
+        let world = self.solver.world();
+        let states = self.solver.states();
+        let balls: Vec<Ball> = (0..states.len())
+            .map(|i| Ball {
+                id: self.scene.balls[i].id.clone(),
+                radius: world.radius[i].to_f64(),
+                mass: world.mass[i].to_f64(),
+                state: states[i],
+            })
+            .collect();
+        Inside {
+            inertia: vec![None; balls.len()],
+            energy: balls
+                .iter()
+                .map(|b| kinetic_energy(&b.state, b.mass, None))
+                .sum(),
+            materials: self.materials(balls.len()),
+            balls,
+            ulp: T::ULP,
+            contact_time: None,
+        }
+    }
+
+    fn sheet(&self) -> Vec<Parameter> {
+        let scene = self.scene;
+        let unit = &scene.units;
+        let speed = format!("{}/{}", unit.length, unit.time);
+        let acceleration = format!("{}/{}^2", unit.length, unit.time);
+        fn row(role: Role, name: &str, value: impl ToString, unit: &str) -> Parameter {
+            Parameter::new(role, name, value, unit)
+        }
+        let mut sheet = vec![
+            row(
+                Role::TimeStep,
+                "none",
+                "solves for the time of each event",
+                "",
+            ),
+            row(Role::Precision, "scalar", "f64", ""),
+            row(Role::Gravity, "gravity", scene.gravity, &acceleration),
+            row(
+                Role::Mass,
+                "mass",
+                self.range(&self.solver.world().mass),
+                &unit.mass,
+            ),
+            row(
+                Role::Radius,
+                "radius",
+                self.range(&self.solver.world().radius),
+                &unit.length,
+            ),
+            row(Role::Rotation, "rotation", "not simulated", ""),
+            row(
+                Role::ContactDetection,
+                "contact",
+                "first root of the distance",
+                "",
+            ),
+            row(Role::PositionCorrection, "correction", "none", ""),
+            row(Role::Rest, "rest speed", 0.0, &speed),
+        ];
+        if let Some(shot) = scene.shot {
+            let launched = scene.balls[shot.ball()].state.speed();
+            sheet.push(row(Role::Launch, "speed", launched, &speed));
+        }
+        match scene.effects.cloth {
+            Some(Cloth::Translational { mu }) => {
+                sheet.push(row(Role::ClothFriction, "mu", mu, ""));
+            }
+            None => sheet.push(row(Role::ClothFriction, "cloth", "none", "")),
+        }
+        match scene.effects.contact {
+            Some(Contact::Elastic {}) => {
+                sheet.push(row(Role::BallRestitution, "restitution", 1.0, ""));
+                sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
+            }
+            None => sheet.push(row(Role::BallRestitution, "contact", "none", "")),
+        }
+        match scene.effects.cushion {
+            Some(Cushion::Elastic {}) => {
+                sheet.push(row(Role::CushionRestitution, "restitution", 1.0, ""));
+                sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
+            }
+            None => sheet.push(row(Role::CushionRestitution, "cushion", "none", "")),
+        }
+        sheet.sort_by_key(|parameter| parameter.role);
+        sheet
+    }
+
+    fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
+        self.solver.run(self.provenance, record, limits)
+    }
+}
+
+impl<T: Real> Prepared<'_, T> {
+    /// What the engine's laws do, as friction and restitution of every kind of pair.
+    fn materials(&self, balls: usize) -> Vec<PairMaterial> {
+        let world = self.solver.world();
+        let mut found = Vec::new();
+        for ball in 0..balls {
+            let mut add = |partner, friction, restitution| {
+                found.push(PairMaterial {
+                    ball,
+                    partner,
+                    friction,
+                    restitution,
+                });
+            };
+            if let Some(Contact::Elastic {}) = world.contact {
+                add(Partner::Ball, 0.0, 1.0);
+            }
+            if let Some(Cushion::Elastic {}) = world.cushion {
+                add(Partner::Cushion, 0.0, 1.0);
+            }
+            match world.ground {
+                // what acts is mu g; the scene's gravity makes it comparable
+                Ground::Coulomb(deceleration) => add(
+                    Partner::Cloth,
+                    deceleration.to_f64() / self.scene.gravity,
+                    0.0,
+                ),
+                Ground::Frictionless => {
+                    let mu = self.scene.effects.cloth.map_or(0.0, |cloth| match cloth {
+                        Cloth::Translational { mu } => mu,
+                    });
+                    add(Partner::Cloth, mu, 0.0);
+                }
+            }
+        }
+        found
+    }
+
+    /// One number if all are equal, else the smallest and the largest.
+    fn range(&self, values: &[T]) -> String {
+        let numbers = values.iter().map(|x| x.to_f64());
+        let (least, most) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (a.min(x), b.max(x))
+        });
+        if least == most {
+            least.to_string()
+        } else {
+            format!("{least} to {most}")
+        }
     }
 }

@@ -1,0 +1,201 @@
+//! Impacts at one instant: whether their order changes the result.
+//!
+//! A ball that approaches two others which it touches, or reaches within the error of the time, is hit by both "at once".
+//! Processing the pairs one after another is an answer only if every order gives the same one: always so in a straight
+//! line of equal balls or for contacts at right angles, never so in the apex of a rack. This room tries the orders on the
+//! cluster of touching balls with positions held still, and says whether they agree.
+
+use super::world::World;
+use crate::math::Real;
+use crate::physics::{Body, Motion, Side, contact, cushion};
+use nalgebra::Vector3;
+
+/// Impacts that are tried before the answer is "they disagree": enough for every order of a handful of contacts.
+const PATIENCE: u32 = 20_000;
+
+/// Results of two orders are equal if they differ by fewer ulps of the largest speed than this for each impact.
+const ROUNDINGS: f64 = 64.0;
+
+/// Two parties within reach of each other.
+#[derive(Clone, Copy, Debug)]
+enum Touch<T: Real> {
+    /// Two members of the cluster, and the normal from the first to the second.
+    Pair(usize, usize, Vector3<T>),
+    /// A member and a cushion.
+    Cushion(usize, Side),
+}
+
+/// Balls that touch, directly or through others, at one instant.
+#[derive(Debug)]
+pub struct Cluster<'a, T: Real> {
+    world: &'a World<T>,
+    /// Indices in scene order.
+    pub balls: Vec<usize>,
+    velocities: Vec<[T; 2]>,
+    touches: Vec<Touch<T>>,
+}
+
+/// Velocity `v` of two components as a law wants it.
+fn spatial<T: Real>(v: [T; 2]) -> Vector3<T> {
+    Vector3::new(v[0], v[1], T::zero())
+}
+
+impl<'a, T: Real> Cluster<'a, T> {
+    /// The cluster around `seeds`. `positions` and `velocities` of all balls in scene order; two parties are within reach
+    /// if their gap is touching, or closes within `window` seconds.
+    pub fn around(
+        world: &'a World<T>,
+        seeds: &[usize],
+        positions: &[[T; 2]],
+        velocities: &[[T; 2]],
+        window: T,
+    ) -> Self {
+        let mut cluster = Cluster {
+            world,
+            balls: seeds.to_vec(),
+            velocities: Vec::new(),
+            touches: Vec::new(),
+        };
+        let mut next = 0;
+        while let Some(&ball) = cluster.balls.get(next) {
+            next += 1;
+            for other in 0..positions.len() {
+                let p = difference(positions[other], positions[ball]);
+                let v = difference(velocities[other], velocities[ball]);
+                let reach = world.distance(ball, other) + world.touching + length(v) * window;
+                if other != ball && length(p) <= reach && !cluster.balls.contains(&other) {
+                    cluster.balls.push(other);
+                }
+            }
+        }
+        cluster.balls.sort_unstable();
+        cluster.velocities = cluster.balls.iter().map(|b| velocities[*b]).collect();
+        cluster.find_touches(positions, window);
+        cluster
+    }
+
+    fn find_touches(&mut self, positions: &[[T; 2]], window: T) {
+        let world = self.world;
+        for first in 0..self.balls.len() {
+            let a = self.balls[first];
+            for second in first + 1..self.balls.len() {
+                let b = self.balls[second];
+                let p = difference(positions[b], positions[a]);
+                let v = difference(self.velocities[second], self.velocities[first]);
+                let reach = world.distance(a, b) + world.touching + length(v) * window;
+                let apart = length(p);
+                if world.contact.is_some() && apart <= reach && apart > T::zero() {
+                    let normal = spatial([p[0] / apart, p[1] / apart]);
+                    self.touches.push(Touch::Pair(first, second, normal));
+                }
+            }
+            let Some(reach) = world.reach.get(a) else {
+                continue;
+            };
+            for side in Side::ALL {
+                let axis = side.axis();
+                let gap = (reach[side as usize] - positions[a][axis]).abs();
+                if gap <= world.touching + self.velocities[first][axis].abs() * window {
+                    self.touches.push(Touch::Cushion(first, side));
+                }
+            }
+        }
+    }
+
+    /// Contacts that approach, given these velocities.
+    fn live<'b>(&'b self, velocities: &'b [[T; 2]]) -> impl Iterator<Item = Touch<T>> + 'b {
+        let slow = self.world.blur.speed;
+        self.touches.iter().copied().filter(move |touch| {
+            let closing = match *touch {
+                Touch::Pair(a, b, n) => spatial(difference(velocities[a], velocities[b])).dot(&n),
+                Touch::Cushion(a, side) => {
+                    let outward = velocities[a][side.axis()];
+                    if side.sign() < 0 { -outward } else { outward }
+                }
+            };
+            closing > slow
+        })
+    }
+
+    /// True unless every order of the impacts leaves the same velocities, up to rounding.
+    pub fn order_matters(&self) -> bool {
+        let mut search = Search {
+            tried: 0,
+            result: None,
+        };
+        !self.agree(&self.velocities, 0, &mut search)
+    }
+
+    fn agree(&self, velocities: &[[T; 2]], depth: u32, search: &mut Search<T>) -> bool {
+        let mut finished = true;
+        for touch in self.live(velocities) {
+            finished = false;
+            search.tried += 1;
+            if search.tried > PATIENCE || depth > PATIENCE / 100 {
+                return false;
+            }
+            let mut after = velocities.to_vec();
+            self.apply(touch, &mut after);
+            if !self.agree(&after, depth + 1, search) {
+                return false;
+            }
+        }
+        if !finished {
+            return true;
+        }
+        match &search.result {
+            None => {
+                search.result = Some((velocities.to_vec(), depth));
+                true
+            }
+            Some((first, impacts)) => {
+                let fastest = velocities
+                    .iter()
+                    .map(|v| length(*v))
+                    .fold(T::zero(), T::at_least);
+                let impacts = f64::from(depth.max(*impacts));
+                let rounding = fastest * T::lift(ROUNDINGS * T::ULP * impacts);
+                let same = |(a, b): (&[T; 2], &[T; 2])| length(difference(*a, *b)) <= rounding;
+                first.iter().zip(velocities).all(same)
+            }
+        }
+    }
+
+    fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]]) {
+        let world = self.world;
+        let body = |member: usize| Body {
+            velocity: spatial(velocities[member]),
+            spin: spatial([T::zero(); 2]),
+            mass: world.mass[self.balls[member]],
+            radius: world.radius[self.balls[member]],
+        };
+        let plan = |motion: Motion<T>| [motion.velocity.x, motion.velocity.y];
+        match touch {
+            Touch::Pair(a, b, n) => {
+                if let Some(law) = world.contact {
+                    let (one, other) = contact::impact(law, &body(a), &body(b), &n);
+                    (velocities[a], velocities[b]) = (plan(one), plan(other));
+                }
+            }
+            Touch::Cushion(a, side) => {
+                if let Some(law) = world.cushion {
+                    velocities[a] = plan(cushion::impact(law, &body(a), side));
+                }
+            }
+        }
+    }
+}
+
+struct Search<T> {
+    tried: u32,
+    /// Velocities after the first order, and its number of impacts.
+    result: Option<(Vec<[T; 2]>, u32)>,
+}
+
+fn difference<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn length<T: Real>(v: [T; 2]) -> T {
+    (v[0] * v[0] + v[1] * v[1]).sqrt()
+}

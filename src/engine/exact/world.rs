@@ -1,0 +1,128 @@
+//! What stays the same during a run: balls, edges and laws in the scalar of the run, and what that scalar can tell apart.
+
+use super::flight::{Flight, Ground};
+use crate::math::Real;
+use crate::math::first_root::Blur;
+use crate::physics::contact::plan_distance;
+use crate::physics::{Contact, Cushion, Side};
+use crate::scene::Scene;
+
+/// Roundings that a coordinate has seen when it enters a decision: two products, two sums.
+const ROUNDINGS: f64 = 4.0;
+
+/// The unchanging part of a run. Inputs are the scene's f64 numbers lifted exactly; what follows from them is computed in `T`.
+#[derive(Clone, Debug)]
+pub struct World<T> {
+    /// Radii, length.
+    pub radius: Vec<T>,
+    /// Masses.
+    pub mass: Vec<T>,
+    /// Where a centre may be: for each ball the limits at x0, x1, y0, y1. Empty without cushions.
+    pub reach: Vec<[T; 4]>,
+    /// The cloth.
+    pub ground: Ground<T>,
+    /// The law of ball-ball impacts; without one, balls pass through each other.
+    pub contact: Option<Contact>,
+    /// The law of cushions.
+    pub cushion: Option<Cushion>,
+    /// Contact distance if all radii are equal.
+    same_distance: Option<T>,
+    /// Gap within which surfaces touch, length.
+    pub touching: T,
+    /// Simulated time, s.
+    pub duration: T,
+    /// What positions and velocities are good to.
+    pub blur: Blur<T>,
+    /// No ball is ever faster, length/s: all energy in the lightest.
+    pub fastest: T,
+}
+
+impl<T: Real> World<T> {
+    /// The world of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let lift = T::lift;
+        let reach = |radius: T| {
+            scene.table.map(|table| {
+                Side::ALL.map(|side| {
+                    let axis = side.axis();
+                    if side.sign() < 0 {
+                        lift(table.min[axis]) + radius
+                    } else {
+                        lift(table.max[axis]) - radius
+                    }
+                })
+            })
+        };
+        let radius: Vec<T> = scene.balls.iter().map(|b| lift(b.radius)).collect();
+        let bounded = scene.effects.cushion.is_some();
+        let lightest = scene
+            .balls
+            .iter()
+            .map(|b| b.mass)
+            .fold(f64::INFINITY, f64::min);
+        let fastest = (2.0 * scene.initial_energy() / lightest).sqrt();
+        let ground = Ground::new(&scene.effects.lift(), lift(scene.gravity));
+        let travel = match ground {
+            Ground::Coulomb(deceleration) => {
+                let duration = fastest / deceleration.to_f64();
+                fastest * duration.min(scene.duration)
+            }
+            Ground::Frictionless => fastest * scene.duration,
+        };
+        let extent = if bounded {
+            scene.largest_coordinate()
+        } else {
+            scene.largest_coordinate() + travel
+        };
+        World {
+            mass: scene.balls.iter().map(|b| lift(b.mass)).collect(),
+            reach: if bounded {
+                radius.iter().filter_map(|r| reach(*r)).collect()
+            } else {
+                Vec::new()
+            },
+            ground,
+            contact: scene.effects.contact,
+            cushion: scene.effects.cushion,
+            same_distance: scene
+                .equal_radii()
+                .then(|| plan_distance(radius[0], radius[0])),
+            radius,
+            touching: lift(scene.touching()),
+            duration: lift(scene.duration),
+            blur: Blur {
+                length: lift(ROUNDINGS * T::ULP * extent),
+                speed: lift(2.0 * ROUNDINGS * T::ULP * fastest),
+            },
+            fastest: lift(fastest),
+        }
+    }
+
+    /// Distance of the centres of two balls at contact, seen in plan.
+    #[inline]
+    pub fn distance(&self, a: usize, b: usize) -> T {
+        match self.same_distance {
+            Some(distance) => distance,
+            None => plan_distance(self.radius[a], self.radius[b]),
+        }
+    }
+
+    /// The flights of all balls at time 0.
+    pub fn first_flights(&self, scene: &Scene) -> Vec<Flight<T>> {
+        let flight = |ball: &crate::scene::Ball| {
+            let (r, v) = (ball.state.position, ball.state.velocity);
+            Flight::new(
+                self.ground,
+                T::zero(),
+                [T::lift(r.x), T::lift(r.y)],
+                [T::lift(v.x), T::lift(v.y)],
+            )
+        };
+        scene.balls.iter().map(flight).collect()
+    }
+
+    /// Error of the time of an impact at time `t` with normal speed `speed`: that of the positions, and an ulp of the clock.
+    pub fn time_error(&self, t: T, speed: T) -> T {
+        self.blur.length / speed + t * T::lift(2.0 * T::ULP)
+    }
+}

@@ -1,0 +1,326 @@
+//! The first contact of two discs with constant relative acceleration: a finder that cannot step past the first root.
+//!
+//! `f''` is a parabola in `t`, so its minimum `m` over any stretch is known in closed form, and
+//! `f(t) + f'(t) s + m s^2 / 2` is below `f(t + s)` there. The first root of that bound is never behind the first root of `f`:
+//! stepping to it again and again converges from the left, quadratically, and a bound without a root proves a miss. The
+//! stretch ends at the inflections of `f` and soon after its expected minimum, which keeps the bound tight in grazes.
+//!
+//! Error: near a root, `f` is known to about `2 D blur.length`, so a contact is good to `blur.length / |v_n|` where `v_n` is
+//! the normal speed; a contact that is shallower than the blur is [`Contact::Unclear`] instead.
+
+use super::{Approach, Blur, Contact};
+use crate::math::Real;
+
+/// More steps than any convergent search takes; beyond it bisection answers.
+const PATIENCE: usize = 64;
+
+/// First contact up to `limit`, s from now, by the event rule of this module.
+pub fn first_contact<T: Real>(approach: &Approach<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    let curve = Curve::new(approach, blur);
+    let start = curve.at(T::zero());
+    if start.f <= curve.blurred {
+        curve.from_inside(&start, limit, blur)
+    } else {
+        curve.from_outside(start, limit, blur)
+    }
+}
+
+/// The distance function and the parabola that is its second derivative.
+struct Curve<T> {
+    approach: Approach<T>,
+    square: T,
+    /// `f'' = c0 + c1 t + c2 t^2`.
+    c0: T,
+    c1: T,
+    c2: T,
+    /// Error of `f` near contact.
+    blurred: T,
+}
+
+/// A time with the value and slope of `f`.
+#[derive(Clone, Copy)]
+struct Point<T> {
+    t: T,
+    f: T,
+    slope: T,
+}
+
+/// A stretch from now on in which `f''` keeps its sign.
+struct Stretch<T> {
+    end: T,
+    convex: bool,
+}
+
+impl<T: Real> Curve<T> {
+    fn new(approach: &Approach<T>, blur: &Blur<T>) -> Self {
+        let Approach { p, v, a, distance } = *approach;
+        let dot = |x: [T; 2], y: [T; 2]| x[0] * y[0] + x[1] * y[1];
+        Curve {
+            approach: *approach,
+            square: distance * distance,
+            c0: (dot(v, v) + dot(a, p)) * T::lift(2.0),
+            c1: dot(v, a) * T::lift(6.0),
+            c2: dot(a, a) * T::lift(3.0),
+            blurred: (distance + distance) * blur.length,
+        }
+    }
+
+    fn at(&self, t: T) -> Point<T> {
+        let Approach { p, v, a, .. } = &self.approach;
+        let half = t * T::lift(0.5);
+        let x = p[0] + t * (v[0] + a[0] * half);
+        let y = p[1] + t * (v[1] + a[1] * half);
+        let slope = x * (v[0] + a[0] * t) + y * (v[1] + a[1] * t);
+        Point {
+            t,
+            f: x * x + y * y - self.square,
+            slope: slope + slope,
+        }
+    }
+
+    fn curvature(&self, t: T) -> T {
+        self.c0 + t * (self.c1 + t * self.c2)
+    }
+
+    /// Smallest `f''` between two times.
+    fn least_curvature(&self, from: T, to: T) -> T {
+        let least = self.curvature(from).at_most(self.curvature(to));
+        let vertex = -self.c1; // over 2 c2
+        let twice = self.c2 + self.c2;
+        if vertex > from * twice && vertex < to * twice {
+            least.at_most(self.c0 - self.c1 * self.c1 / (twice + twice))
+        } else {
+            least
+        }
+    }
+
+    /// The two inflections of `f`, if it has any.
+    fn inflections(&self) -> Option<(T, T)> {
+        let four = T::lift(4.0);
+        let square = self.c1 * self.c1 - four * self.c2 * self.c0;
+        if square <= T::zero() || self.c2 <= T::zero() {
+            return None;
+        }
+        // without cancellation: the larger root in magnitude first, the other from their product
+        let big = if self.c1 >= T::zero() {
+            -(self.c1 + square.sqrt()) / T::lift(2.0)
+        } else {
+            (square.sqrt() - self.c1) / T::lift(2.0)
+        };
+        let (one, other) = (big / self.c2, self.c0 / big);
+        Some((one.at_most(other), one.at_least(other)))
+    }
+
+    /// Searches from a point at which the discs are apart.
+    fn from_outside(&self, start: Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+        let inflections = self.inflections();
+        let mut here = start;
+        loop {
+            let stretch = match inflections {
+                Some((first, _)) if here.t < first => Stretch {
+                    end: first,
+                    convex: true,
+                },
+                Some((_, second)) if here.t < second => Stretch {
+                    end: second,
+                    convex: false,
+                },
+                _ => Stretch {
+                    end: limit,
+                    convex: true,
+                },
+            };
+            let end = stretch.end.at_most(limit);
+            let found = if stretch.convex {
+                self.through_convex(here, end, blur)
+            } else {
+                self.through_concave(here, end, blur)
+            };
+            if found != Contact::Never || end >= limit {
+                return found;
+            }
+            here = self.at(end);
+            if here.f <= T::zero() {
+                // an inflection at the contact itself
+                return self.finish(here, blur);
+            }
+        }
+    }
+
+    /// A stretch in which `f` has at most one minimum.
+    fn through_convex(&self, start: Point<T>, end: T, blur: &Blur<T>) -> Contact<T> {
+        let zero = T::zero();
+        let two = T::lift(2.0);
+        let mut here = start;
+        for _ in 0..PATIENCE {
+            if here.slope >= zero {
+                // past the minimum; close to it only if the steps led there
+                return if here.f <= self.blurred {
+                    Contact::Unclear(here.t)
+                } else {
+                    Contact::Never
+                };
+            }
+            let now = self.curvature(here.t);
+            let ahead = if now > zero {
+                end.at_most(here.t - two * here.slope / now)
+            } else {
+                end
+            };
+            let bound = self.least_curvature(here.t, ahead).at_least(zero);
+            let square = here.slope * here.slope - two * bound * here.f;
+            if square < zero {
+                let lowest = here.f - here.slope * here.slope / (bound + bound);
+                if lowest <= self.blurred + here.f * T::lift(32.0 * T::ULP) {
+                    return self.graze(here, end, blur);
+                }
+            }
+            let step = two * here.f / (square.at_least(zero).sqrt() - here.slope);
+            if square < zero || here.t + step > ahead {
+                if ahead >= end {
+                    return Contact::Never;
+                }
+                here = self.at(ahead);
+            } else {
+                here = self.at(here.t + step);
+            }
+            if self.converged(&here) {
+                return self.finish(here, blur);
+            }
+        }
+        self.graze(here, end, blur)
+    }
+
+    /// A stretch in which `f` has no minimum: a contact there shows at its end.
+    fn through_concave(&self, start: Point<T>, end: T, blur: &Blur<T>) -> Contact<T> {
+        let last = self.at(end);
+        if last.f > T::zero() {
+            return Contact::Never;
+        }
+        let zero = T::zero();
+        let two = T::lift(2.0);
+        let mut here = start;
+        for _ in 0..PATIENCE {
+            let bound = self.least_curvature(here.t, end).at_most(zero);
+            let root = (here.slope * here.slope - two * bound * here.f).sqrt();
+            let step = if here.slope > zero {
+                (here.slope + root) / -bound
+            } else {
+                two * here.f / (root - here.slope)
+            };
+            here = self.at((here.t + step).at_most(end));
+            if self.converged(&here) {
+                return self.finish(here, blur);
+            }
+        }
+        self.finish(self.bisect(here.t, end), blur)
+    }
+
+    /// True once one Newton step leaves nothing but rounding, or the root is passed by rounding.
+    fn converged(&self, here: &Point<T>) -> bool {
+        if here.f <= T::zero() {
+            return true;
+        }
+        let residual = here.f * here.f * self.curvature(here.t).abs();
+        here.slope < T::zero()
+            && residual <= here.slope * here.slope * self.square * T::lift(T::ULP)
+    }
+
+    /// One Newton step, and whether the contact is deep and fast enough to be one.
+    fn finish(&self, here: Point<T>, blur: &Blur<T>) -> Contact<T> {
+        if here.slope >= T::zero() {
+            return Contact::Unclear(here.t);
+        }
+        let t = (here.t - here.f / here.slope).at_least(T::zero());
+        let square = here.slope * here.slope;
+        let slow = (self.approach.distance + self.approach.distance) * blur.speed;
+        // f'^2 / (2 f'') is how deep the discs would go
+        let shallow = square <= self.curvature(t) * (self.blurred + self.blurred);
+        if shallow || square <= slow * slow {
+            Contact::Unclear(t)
+        } else {
+            Contact::At(t)
+        }
+    }
+
+    /// Decides a graze within a convex stretch by its minimum itself.
+    #[cold]
+    fn graze(&self, start: Point<T>, end: T, blur: &Blur<T>) -> Contact<T> {
+        let zero = T::zero();
+        if self.at(end).slope < zero {
+            // no minimum before the end of the stretch, so a contact would show there
+            return if self.at(end).f > zero {
+                Contact::Never
+            } else {
+                self.finish(self.bisect(start.t, end), blur)
+            };
+        }
+        let (mut from, mut to) = (start.t, end);
+        while let Some(middle) = between(from, to) {
+            if self.at(middle).slope < zero {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        let lowest = self.at(from).f.at_most(self.at(to).f);
+        if lowest > self.blurred {
+            Contact::Never
+        } else if lowest >= -self.blurred {
+            // from the earliest time at which it could be a contact
+            let reach = (self.blurred * T::lift(4.0) / self.curvature(from)).sqrt();
+            Contact::Unclear((from - reach).at_least(start.t))
+        } else {
+            self.finish(self.bisect(start.t, from), blur)
+        }
+    }
+
+    /// Where `f` falls through zero between a time at which it is positive and one at which it is not.
+    #[cold]
+    fn bisect(&self, mut from: T, mut to: T) -> Point<T> {
+        while let Some(middle) = between(from, to) {
+            if self.at(middle).f > T::zero() {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        self.at(from)
+    }
+
+    /// Searches from a touching or overlapping start: contact now, or at or after the next turn inward.
+    fn from_inside(&self, start: &Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+        let zero = T::zero();
+        let slow = (self.approach.distance + self.approach.distance) * blur.speed;
+        if start.slope < -slow {
+            return Contact::At(zero);
+        }
+        // the slope falls only between the inflections
+        let Some((first, second)) = self.inflections() else {
+            return Contact::Never;
+        };
+        let (mut from, mut to) = (first.at_least(zero), second.at_most(limit));
+        if from >= to || self.at(to).slope >= -slow {
+            return Contact::Never;
+        }
+        while let Some(middle) = between(from, to) {
+            if self.at(middle).slope >= zero {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        let turn = self.at(to);
+        if turn.f <= self.blurred {
+            Contact::At(turn.t)
+        } else {
+            self.from_outside(turn, limit, blur)
+        }
+    }
+}
+
+/// The number halfway between two others, unless they are neighbours.
+fn between<T: Real>(from: T, to: T) -> Option<T> {
+    let middle = from + (to - from) / T::lift(2.0);
+    (middle > from && middle < to).then_some(middle)
+}
