@@ -1,10 +1,89 @@
 //! The only place for arguments, environment, terminal, paths and Ctrl-C.
+//!
+//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 2 it could not run.
 
-pub mod scene;
+mod arguments;
+mod compare;
+mod engines;
+mod output;
+mod report;
+mod run;
+mod scene;
+mod terminal;
 
+use arguments::{Arguments, Command};
+use clap::{CommandFactory, Parser};
 use std::process::ExitCode;
+
+/// It could not run: bad usage, bad scene, a file that cannot be written.
+const COULD_NOT_RUN: u8 = 2;
+
+/// Why a command could not run, as shown after `error:`, or a message that is already rendered.
+#[derive(Debug)]
+enum Failure {
+    /// A message of one line or more.
+    Message(String),
+    /// A diagnostic with its own heading.
+    Rendered(String),
+}
+
+impl From<scene::LoadError> for Failure {
+    fn from(error: scene::LoadError) -> Self {
+        Failure::Rendered(error.render(terminal::colour_on_stderr()))
+    }
+}
+
+impl From<crate::scene::SceneError> for Failure {
+    fn from(error: crate::scene::SceneError) -> Self {
+        scene::LoadError::from(error).into()
+    }
+}
+
+impl From<output::OutputError> for Failure {
+    fn from(error: output::OutputError) -> Self {
+        Failure::Message(error.to_string())
+    }
+}
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    ExitCode::SUCCESS
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // clap's own code for usage errors is 2, for --help and --version 0
+            let code = u8::try_from(error.exit_code()).unwrap_or(COULD_NOT_RUN);
+            return if error.print().is_ok() {
+                ExitCode::from(code)
+            } else {
+                ExitCode::from(COULD_NOT_RUN)
+            };
+        }
+    };
+    match dispatch(arguments.command) {
+        Ok(code) => code,
+        Err(Failure::Message(message)) => {
+            terminal::say(&format!("error: {message}"));
+            ExitCode::from(COULD_NOT_RUN)
+        }
+        Err(Failure::Rendered(text)) => {
+            terminal::say(&text);
+            ExitCode::from(COULD_NOT_RUN)
+        }
+    }
+}
+
+fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
+    match command {
+        None => report::report(&arguments::ReportArguments::default()),
+        Some(Command::Report(arguments)) => report::report(&arguments),
+        Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Compare(arguments)) => compare::compare(&arguments),
+        Some(Command::Engines { format }) => engines::engines(format),
+        Some(Command::Scene { command, format }) => scene::scene(&command, format),
+        Some(Command::Completions { shell }) => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut script);
+            terminal::print(&String::from_utf8_lossy(&script))
+        }
+    }
 }

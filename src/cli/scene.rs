@@ -1,11 +1,14 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
+use super::{COULD_NOT_RUN, Failure, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::report;
 use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
 use clap::Subcommand;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use thiserror::Error;
 
 /// What `carom scene` can do.
@@ -51,6 +54,28 @@ impl LoadError {
         match self {
             LoadError::Scene(SceneError::Invalid(diagnostics)) => diagnostics.render(colour),
             other => format!("error: {other}"),
+        }
+    }
+}
+
+/// Does one of the commands below `carom scene`.
+pub fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
+    match command {
+        SceneCommand::List => {
+            terminal::print(&report::render(&list_document()?, &format).unwrap_or_default())
+        }
+        SceneCommand::Show { name } => terminal::print(show(name)?),
+        SceneCommand::Schema => terminal::print(&schema_text()),
+        SceneCommand::Check { files } => {
+            let (mut out, mut err) = (Vec::new(), Vec::new());
+            let all_right = check(files, terminal::colour_on_stderr(), &mut out, &mut err)
+                .map_err(|error| Failure::Message(error.to_string()))?;
+            let printed = terminal::print(&String::from_utf8_lossy(&out))?;
+            if all_right {
+                return Ok(printed);
+            }
+            terminal::say(String::from_utf8_lossy(&err).trim_end());
+            Ok(ExitCode::from(COULD_NOT_RUN))
         }
     }
 }

@@ -1,16 +1,17 @@
 //! The validation report: every scene of a set compared, the report's claims audited, one first screen.
 
 use super::claims::{self, Claim};
-use super::compare::{self, Outcome};
+use super::compare::{self, Cause, Outcome, PairOutcome};
 use super::matrix::{Column, Timing, Watch};
 use crate::engine::ENGINES;
 use crate::finding::{
-    Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table,
+    Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
 };
+use crate::math::worse;
 use crate::scene::{Scene, SceneError, catalogue};
 
-/// Final positions closer than this, in R, are called equal in the first sentence: a hundredth of a ball's radius.
-const AGREE_WITHIN: f64 = 1e-2;
+/// Final positions closer to the exact ones than this, in R, are marked as good: a hundredth of a ball's radius.
+const GOOD_WITHIN: f64 = 1e-2;
 
 /// The engine and setting that stand for the report's model in the first sentence.
 const REPORTS_MODEL: &str = "stepper";
@@ -104,69 +105,69 @@ fn conclude(
     }
 }
 
-/// "In n of m scenes the report's model and rapier agree; they part in ... because ...".
+/// "In n of m scenes the report's model and rapier agree ...; they part in ... because ...".
+///
+/// They agree where both have the same collisions in the same order.
 fn first_sentence(outcomes: &[Outcome]) -> String {
-    let mut agree = Vec::new();
-    let mut part = Vec::new();
-    let mut compared = 0;
-    for outcome in outcomes {
-        let pair = outcome.pairs.iter().find(|pair| {
-            let label = |i: usize| outcome.entries[i].label();
-            (
-                label(pair.entries.0).as_str(),
-                label(pair.entries.1).as_str(),
-            ) == (REPORTS_MODEL, RIVAL)
-        });
-        let Some(pair) = pair else { continue };
-        compared += 1;
-        match (pair.standing.final_position, &pair.standing.order.parting) {
-            (Some(distance), None) if distance <= AGREE_WITHIN => agree.push(distance),
-            (_, parting) => part.push((outcome, parting.is_some())),
-        }
-    }
-    if compared == 0 {
+    let pairs: Vec<(&Outcome, &PairOutcome)> = outcomes
+        .iter()
+        .filter_map(|o| Some((o, rivals(o)?)))
+        .collect();
+    if pairs.is_empty() {
         return "The report's model and rapier were not compared.".to_owned();
     }
-    let worst = agree.iter().copied().fold(0.0, f64::max);
-    let mut sentence = format!(
-        "In {} of {compared} scenes the report's model and rapier agree",
-        agree.len()
-    );
-    if !agree.is_empty() {
-        sentence += &format!(" to {worst:.1e} R");
-    }
-    let names = |in_order: bool| {
-        let own = part
-            .iter()
-            .filter(|(_, order)| *order == in_order)
-            .map(|(outcome, _)| outcome.scene.name.as_str());
-        own.collect::<Vec<_>>().join(", ")
-    };
-    let (order, distance) = (names(true), names(false));
-    if !order.is_empty() {
-        sentence += &format!("; in {order} they disagree on the order of collisions");
-    }
-    if !distance.is_empty() {
-        sentence += &format!("; in {distance} they agree on the order and end apart");
-    }
-    let worst_cause = part.iter().find_map(|(outcome, _)| {
-        let standing = outcome
-            .entries
-            .iter()
-            .find(|e| e.label() == REPORTS_MODEL)?
-            .standing
-            .as_ref()?;
-        Some((
-            outcome.scene.name.clone(),
-            standing.cause.as_ref()?.sentence(),
-        ))
+    let (same, other): (Vec<_>, Vec<_>) = pairs
+        .iter()
+        .partition(|(_, pair)| pair.standing.order.parting.is_none());
+    let farthest = same
+        .iter()
+        .filter_map(|(_, pair)| pair.standing.final_position)
+        .reduce(worse);
+    let apart = farthest.map_or(String::new(), |r| {
+        format!(", with final positions up to {r:.2} R apart")
     });
-    match worst_cause {
-        Some((scene, cause)) => format!(
-            "{sentence}. In {scene} the report's model leaves the exact solution first because: {cause}."
-        ),
-        None => sentence + ".",
+    let mut sentence = format!(
+        "In {} of {} scenes the report's model and rapier have the same collisions in the same order{apart}",
+        same.len(),
+        pairs.len()
+    );
+    if !other.is_empty() {
+        let touching = other
+            .iter()
+            .filter(|(outcome, _)| outcome.reference.is_none())
+            .count();
+        let close = other
+            .iter()
+            .filter(|(_, pair)| matches!(pair.standing.cause, Some(Cause::Resolution { .. })))
+            .count();
+        sentence += &format!("; in the other {} they part", other.len());
+        let mut reasons = Vec::new();
+        if close > 0 {
+            reasons.push(format!(
+                "because hits fall closer together than a step resolves ({close})"
+            ));
+        }
+        if touching > 0 {
+            reasons.push(format!(
+                "where simultaneous hits leave no single right answer ({touching})"
+            ));
+        }
+        if !reasons.is_empty() {
+            sentence += &format!(", {}", reasons.join(" and "));
+        }
     }
+    sentence + "."
+}
+
+/// The report's model against rapier, both at their defaults.
+fn rivals(outcome: &Outcome) -> Option<&PairOutcome> {
+    outcome.pairs.iter().find(|pair| {
+        let label = |i: usize| outcome.entries[i].label();
+        (
+            label(pair.entries.0).as_str(),
+            label(pair.entries.1).as_str(),
+        ) == (REPORTS_MODEL, RIVAL)
+    })
 }
 
 /// One row a scene: what each engine did, its worst number, a picture, a link.
@@ -207,11 +208,10 @@ fn scene_table(outcomes: &[Outcome]) -> Table {
                     .map_or(Cell::Empty, |entry| verdict(outcome, entry)),
             );
         }
-        row.push(worst(outcome));
         rows.push(row);
     }
-    let note = "order n/m: the first n of the m exact collisions come in the exact order. ends: largest distance of a final \
-                position from the exact one. Without an exact answer a cell says how the run ended.";
+    let note = "n/m, x R: the first n of the m exact collisions come in the exact order, and no final position is farther than \
+                x R from the exact one. Without an exact answer a cell says how the run ended.";
     Table {
         id: "scenes".to_owned(),
         title: "Scenes".to_owned(),
@@ -224,39 +224,37 @@ fn scene_table(outcomes: &[Outcome]) -> Table {
 fn verdict(outcome: &Outcome, entry: &compare::Entry) -> Cell {
     let trace = match &entry.cell {
         Ok(ran) => &ran.trace,
-        Err(refusal) => return Cell::text(refusal.to_string()),
+        Err(refusal) => return Cell::Verdict(Tone::Quiet, refusal.to_string()),
     };
-    if outcome
-        .reference
-        .and_then(|i| outcome.entries[i].trace())
-        .is_some_and(|reference| std::ptr::eq(reference, trace))
-    {
-        let collisions = trace.collisions().count();
-        return Cell::text(format!("reference, {collisions} collisions"));
+    let reference = outcome.reference.map(|i| &outcome.entries[i]);
+    if reference.is_some_and(|reference| std::ptr::eq(reference, entry)) {
+        return Cell::text(format!("{} collisions", trace.collisions().count()));
     }
     let Some(standing) = &entry.standing else {
-        return Cell::text(trace.ending.id());
+        return Cell::Verdict(Tone::Quiet, trace.ending.id().to_owned());
     };
-    let order = &standing.order;
     let ends = standing
         .final_position
-        .map_or("no ball to compare".to_owned(), |r| {
-            format!("ends {r:.1e} R off")
-        });
-    match order.reference_collisions {
-        0 if order.collisions == 0 => Cell::text(ends),
-        total => Cell::text(format!("order {}/{total}, {ends}", order.strict)),
-    }
+        .map_or(String::new(), |r| format!("{} R", short(r)));
+    let tone = match (&standing.order.parting, standing.final_position) {
+        (Some(_), _) => Tone::Bad,
+        (None, Some(r)) if r <= GOOD_WITHIN => Tone::Good,
+        (None, _) => Tone::Notice,
+    };
+    let words = match standing.order.reference_collisions {
+        0 => ends,
+        total => format!("{}/{total}, {ends}", standing.order.strict),
+    };
+    Cell::Verdict(tone, words)
 }
 
-fn worst(outcome: &Outcome) -> Cell {
-    let errors = outcome
-        .entries
-        .iter()
-        .filter_map(|e| Some((e.standing.as_ref()?.final_position?, e.label())));
-    match errors.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
-        Some((error, label)) => Cell::Owned(error, label),
-        None => Cell::Empty,
+/// Two significant digits.
+fn short(x: f64) -> String {
+    if (1e-3..1e3).contains(&x) {
+        let digits = (1 - x.log10().floor() as i32).max(0) as usize;
+        format!("{x:.digits$}")
+    } else {
+        format!("{x:.1e}")
     }
 }
 

@@ -27,9 +27,14 @@ pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
 
 /// Paths in one engine without words, to put beside a row of a table.
 pub(super) fn thumbnail(outcome: &Outcome) -> Option<Figure> {
+    let complete = |entry: &Entry| {
+        entry
+            .trace()
+            .is_some_and(|trace| trace.ending.is_complete())
+    };
     let shown = outcome
         .reference
-        .or_else(|| outcome.entries.iter().position(|e| e.trace().is_some()))?;
+        .or_else(|| outcome.entries.iter().position(complete))?;
     let trace = outcome.entries[shown].trace()?;
     Some(table_picture(
         &outcome.scene,

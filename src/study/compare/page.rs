@@ -116,25 +116,21 @@ pub fn thumbnail(outcome: &Outcome) -> Cell {
 
 /// The sentence a person came for.
 pub fn headline(outcome: &Outcome) -> String {
-    let of = |entry: &&Entry| entry.standing.is_some();
-    let parted = outcome
-        .entries
-        .iter()
-        .filter(of)
-        .map(|entry| (entry.label(), entry.standing.as_ref()));
-    let mut sentences: Vec<String> = Vec::new();
-    for (label, standing) in parted {
-        let Some(standing) = standing else { continue };
-        sentences.push(match &standing.order.parting {
-            Some(parting) => format!(
-                "{label} keeps the exact order for {} of {} collisions, to t = {:.4} s",
-                standing.order.strict,
-                standing.order.reference_collisions,
-                parting.time()
-            ),
-            None => agreement(&label, standing),
-        });
+    let mut groups: Vec<(String, Vec<String>)> = Vec::new();
+    for entry in &outcome.entries {
+        let Some(standing) = &entry.standing else {
+            continue;
+        };
+        let what = behaviour(standing);
+        match groups.iter_mut().find(|(known, _)| *known == what) {
+            Some((_, labels)) => labels.push(entry.label()),
+            None => groups.push((what, vec![entry.label()])),
+        }
     }
+    let sentences = groups
+        .into_iter()
+        .map(|(what, labels)| format!("{} {what}", listed(&labels)));
+    let mut sentences: Vec<String> = sentences.collect();
     if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
         sentences.push(format!("No single right answer: {why}"));
         sentences.extend(
@@ -148,22 +144,26 @@ pub fn headline(outcome: &Outcome) -> String {
     if text.is_empty() { text } else { text + "." }
 }
 
-fn agreement(label: &str, standing: &Standing) -> String {
-    let apart = standing
-        .final_position
-        .map(|r| format!(", and ends within {r:.1e} R of it"));
-    let order = match standing.order.reference_collisions {
-        0 => String::new(),
-        1 => "the 1 exact collision".to_owned(),
-        n => format!("all {n} exact collisions in order"),
-    };
-    match (order.is_empty(), apart) {
-        (false, apart) => format!("{label} has {order}{}", apart.unwrap_or_default()),
-        (true, Some(_)) => format!(
-            "{label} ends within {:.1e} R of exact",
-            standing.final_position.unwrap_or(0.0)
+/// `a`, `a and b`, `a, b and c`.
+fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
+}
+
+/// What an engine does to the exact order of collisions, as the rest of a sentence.
+fn behaviour(standing: &Standing) -> String {
+    let total = standing.order.reference_collisions;
+    match (&standing.order.parting, total) {
+        (Some(parting), _) => format!(
+            "leave the exact order of collisions at event {} of {total}, t = {:.4} s",
+            parting.index + 1,
+            parting.time()
         ),
-        (true, None) => format!("{label} has no collision, as exact"),
+        (None, 0) => "have no collision, as exact".to_owned(),
+        (None, _) => format!("keep the exact order of all {total} collisions"),
     }
 }
 

@@ -1,0 +1,154 @@
+//! The command line as types. Choices derive from the lists of engines and formats.
+
+use super::Failure;
+use super::scene::SceneCommand;
+use crate::engine::{self, ENGINES, Setting};
+use crate::report::FORMATS;
+use crate::study::Column;
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// Cross-validates rigid-body engines: one billiards scene, several engines, and where, when and why they part.
+///
+/// Without a command it runs the report's scenes in every engine and writes a report to carom-report/.
+#[derive(Debug, Parser)]
+#[command(name = "carom", version, max_term_width = 100)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run one scene in one engine and write the trace as files.
+    Run(RunArguments),
+    /// Compare one scene in several engines: where they part, when and why.
+    Compare(CompareArguments),
+    /// Compare many scenes and write a report: HTML, Markdown, CSV, JSON.
+    Report(ReportArguments),
+    /// List the engines and the settings of each.
+    Engines {
+        /// How to print it.
+        #[arg(long, value_parser = formats(), default_value = "text")]
+        format: String,
+    },
+    /// List, show and check scenes.
+    Scene {
+        /// What to do.
+        #[command(subcommand)]
+        command: SceneCommand,
+        /// How to print the list.
+        #[arg(long, global = true, value_parser = formats(), default_value = "text")]
+        format: String,
+    },
+    /// Print a completion script for a shell.
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+/// Arguments of `carom run`.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// The engine.
+    #[arg(long, value_name = "ID", value_parser = engine_ids())]
+    pub engine: String,
+    /// A setting of the engine; see `carom engines`.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+    /// Folder for events.csv, samples.csv, final.csv and run.json.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Simulated time between two recorded samples of a stepping engine, s.
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.01)]
+    pub every: f64,
+    /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom compare`.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// Engines with optional settings: stepper,stepper:contact=approaching-only,rapier-f64:preset=stock:dt=1e-3.
+    /// The exact engine always runs: it is the reference.
+    #[arg(long, value_name = "LIST")]
+    pub engines: Option<String>,
+    /// Unit of lengths: R is the smallest radius, `scene` the scene's own unit.
+    #[arg(long, value_parser = ["R", "scene"], default_value = "R")]
+    pub units: String,
+    /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom report`.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Scenes: catalogue names or files. Without any: the set `report`.
+    pub scenes: Vec<String>,
+    /// Folder of the report.
+    #[arg(long, value_name = "DIR", default_value = DEFAULT_FOLDER)]
+    pub out: PathBuf,
+    /// Engines with optional settings, as in `carom compare`.
+    #[arg(long, value_name = "LIST")]
+    pub engines: Option<String>,
+    /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Where a report goes unless told otherwise.
+const DEFAULT_FOLDER: &str = "carom-report";
+
+impl Default for ReportArguments {
+    fn default() -> Self {
+        ReportArguments {
+            scenes: Vec::new(),
+            out: PathBuf::from(DEFAULT_FOLDER),
+            engines: None,
+            format: FORMATS[0].id.to_owned(),
+        }
+    }
+}
+
+fn formats() -> PossibleValuesParser {
+    PossibleValuesParser::new(FORMATS.iter().map(|format| format.id))
+}
+
+fn engine_ids() -> PossibleValuesParser {
+    PossibleValuesParser::new(ENGINES.iter().map(|engine| engine.id()))
+}
+
+/// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
+pub fn parse_engines(list: &str) -> Result<Vec<Column>, Failure> {
+    let mut columns: Vec<Column> = Vec::new();
+    for item in list.split(',').map(str::trim) {
+        let mut parts = item.split(':');
+        let id = parts.next().unwrap_or_default();
+        let Some(engine) = engine::find(id) else {
+            let known: Vec<&str> = ENGINES.iter().map(|engine| engine.id()).collect();
+            return Err(Failure::Message(format!(
+                "no engine is called `{id}`; there are {}",
+                known.join(", ")
+            )));
+        };
+        let setting = Setting::parse(parts)
+            .map_err(|refusal| Failure::Message(format!("{item}: {refusal}")))?;
+        let column = Column { engine, setting };
+        if columns.iter().any(|known| known.label() == column.label()) {
+            return Err(Failure::Message(format!("`{item}` is listed twice")));
+        }
+        columns.push(column);
+    }
+    Ok(columns)
+}

@@ -1,0 +1,52 @@
+//! `carom engines`.
+
+use super::{Failure, terminal};
+use crate::engine::ENGINES;
+use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::report;
+use crate::study::validation::engine_table;
+use std::process::ExitCode;
+
+/// Prints every engine and the keys of its `--set`.
+pub fn engines(format: String) -> Result<ExitCode, Failure> {
+    let all: Vec<crate::study::Column> = ENGINES
+        .iter()
+        .map(|engine| crate::study::Column::of(*engine))
+        .collect();
+    let mut blocks = vec![Block::Table(engine_table(&all))];
+    for engine in ENGINES {
+        let rows: Vec<Vec<Cell>> = engine
+            .knobs()
+            .into_iter()
+            .map(|knob| {
+                vec![
+                    Cell::Text(knob.key),
+                    Cell::Text(knob.default),
+                    Cell::Text(knob.what),
+                ]
+            })
+            .collect();
+        if rows.is_empty() {
+            continue;
+        }
+        blocks.push(Block::Table(Table {
+            id: format!("settings-{}", engine.id()),
+            title: format!("Settings of {}", engine.id()),
+            columns: vec![
+                Column::words("key", "key"),
+                Column::words("default", "default"),
+                Column::words("what", "meaning"),
+            ],
+            rows,
+            note: String::new(),
+        }));
+    }
+    let document = Document {
+        id: "engines".to_owned(),
+        title: "Engines".to_owned(),
+        lead: String::new(),
+        blocks,
+        pages: Vec::new(),
+    };
+    terminal::print(&report::render(&document, &format).unwrap_or_default())
+}

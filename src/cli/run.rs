@@ -1,0 +1,86 @@
+//! `carom run`.
+
+use super::arguments::RunArguments;
+use super::{Failure, output, scene, terminal};
+use crate::engine::{self, Limits, Setting};
+use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::report;
+use crate::study::compare::{describe_ending, describe_scene};
+use crate::trace::{Record, Trace, files};
+use std::process::ExitCode;
+
+/// Runs one scene in one engine, writes the trace and prints where the balls ended.
+pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
+    let scene = scene::resolve(&arguments.scene)?;
+    let refused = |refusal: engine::Refusal| {
+        Failure::Message(format!("{} in {}: {refusal}", scene.name, arguments.engine))
+    };
+    let cadence = arguments.every;
+    if !(cadence > 0.0 && cadence.is_finite()) {
+        return Err(Failure::Message(format!(
+            "`--every {cadence}`: expected a time above 0 s"
+        )));
+    }
+    let setting = Setting::parse(arguments.settings.iter().map(String::as_str)).map_err(refused)?;
+    let Some(engine) = engine::find(&arguments.engine) else {
+        return Err(Failure::Message(format!(
+            "no engine is called `{}`",
+            arguments.engine
+        )));
+    };
+    let run = engine::prepare(engine, &scene, &setting).map_err(refused)?;
+    let limits = Limits {
+        cancelled: terminal::cancelled(),
+        ..Limits::NONE
+    };
+    let trace = run.simulate(Record::Every(cadence), &limits);
+    let written = files::write(&trace).map_err(|error| Failure::Message(error.to_string()))?;
+    output::write_files(&arguments.out, written.named())?;
+    let document = summary(
+        &trace,
+        &describe_scene(&scene),
+        &scene.units.length,
+        &scene.units.time,
+    );
+    let printed =
+        terminal::print(&report::render(&document, &arguments.format).unwrap_or_default());
+    terminal::say(&format!("Trace: {}", arguments.out.display()));
+    printed
+}
+
+fn summary(trace: &Trace, scene: &str, length: &str, time: &str) -> Document {
+    let columns = vec![
+        Column::words("ball", "ball"),
+        Column::number("stop-time", "stopped at", time),
+        Column::number("x", "x", length),
+        Column::number("y", "y", length),
+    ];
+    let states = trace.final_states();
+    let rows = trace.balls.iter().enumerate().map(|(i, id)| {
+        vec![
+            Cell::text(id.clone()),
+            trace.stop_times[i].map_or(Cell::Empty, |t| Cell::Fixed(t, 6)),
+            states[i].map_or(Cell::Empty, |s| Cell::Fixed(s.position.x, 6)),
+            states[i].map_or(Cell::Empty, |s| Cell::Fixed(s.position.y, 6)),
+        ]
+    });
+    let work: Vec<String> = trace
+        .counters
+        .iter()
+        .map(|(name, count)| format!("{name} {count}"))
+        .collect();
+    let table = Table {
+        id: "final".to_owned(),
+        title: String::new(),
+        columns,
+        rows: rows.collect(),
+        note: work.join(", "),
+    };
+    Document {
+        id: "run".to_owned(),
+        title: format!("{} in {}", trace.provenance.scene, trace.provenance.engine),
+        lead: format!("{} {} events.", describe_ending(trace), trace.events.len()),
+        blocks: vec![Block::Text(scene.to_owned()), Block::Table(table)],
+        pages: Vec::new(),
+    }
+}
