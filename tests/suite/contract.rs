@@ -1,0 +1,392 @@
+//! One contract for every engine: what it promises of a scene must hold of every trace.
+//!
+//! The suite walks the list of engines and runs each on random scenes; an invariant that some engine promises and that was
+//! never checked fails the suite, so a crashed or empty run cannot pass.
+
+use crate::support::{R, run, scenario};
+use carom::compare::deepest_overlap;
+use carom::engine::{ENGINES, Setting, find};
+use carom::math::Vec3;
+use carom::math::random::Draws;
+use carom::physics::State;
+use carom::physics::invariants::{Invariant, kinetic_energy};
+use carom::scene::{Scene, Table};
+use carom::trace::{Ending, Event, EventKind, Record, Trace};
+use std::collections::BTreeMap;
+
+/// Settings under which each engine is held to its promises, besides its defaults.
+const VARIANTS: [(&str, &[&str]); 4] = [
+    ("stepper", &["contact=approaching-only"]),
+    ("stepper", &["dt=0.004"]),
+    ("rapier-f64", &["preset=stock"]),
+    ("rapier-f32", &["preset=stock"]),
+];
+
+const SCENES: u64 = 40;
+
+/// Half the table: it is symmetric about the origin, so that mirrors and quarter turns are exact in f64.
+const HALF: f64 = 3.0;
+
+/// A random scene: 1 to 10 balls of one size, not touching, on a square table; friction in two of three.
+fn random_scene(index: u64) -> Scene {
+    let mut draw = Draws::new(20_261_123, index);
+    let balls = 1 + (draw.uniform() * 10.0) as usize;
+    let mut scene = scenario(&format!("random-{index}")).duration(8.0);
+    let mut placed: Vec<[f64; 2]> = Vec::new();
+    while placed.len() < balls {
+        let reach = HALF - R;
+        let p = [draw.between(-reach, reach), draw.between(-reach, reach)];
+        if placed
+            .iter()
+            .all(|q| (p[0] - q[0]).hypot(p[1] - q[1]) > 2.02 * R)
+        {
+            let moving = placed.is_empty() || draw.uniform() < 0.4;
+            let speed = if moving { 4.0 } else { 0.0 };
+            let v = [draw.between(-speed, speed), draw.between(-speed, speed)];
+            scene = scene.moving(&placed.len().to_string(), p, v);
+            placed.push(p);
+        }
+    }
+    if index % 3 == 0 {
+        scene = scene.duration(1.5);
+    } else {
+        scene = scene.cloth(draw.between(0.1, 0.4));
+    }
+    let mut scene = scene.cushions(2.0 * HALF, 2.0 * HALF).build();
+    scene.table = Some(Table {
+        min: [-HALF, -HALF],
+        max: [HALF, HALF],
+    });
+    scene
+}
+
+struct Case<'a> {
+    engine: &'a str,
+    settings: &'a [&'a str],
+    scene: &'a Scene,
+    trace: &'a Trace,
+}
+
+impl Case<'_> {
+    fn rerun(&self, scene: &Scene) -> Trace {
+        run(self.engine, self.settings, scene, Record::Every(0.02))
+    }
+
+    /// Rounding of the engine's scalar.
+    fn ulp(&self) -> f64 {
+        if self.engine.ends_with("f32") {
+            f64::from(f32::EPSILON)
+        } else {
+            f64::EPSILON
+        }
+    }
+
+    fn fastest(&self) -> f64 {
+        // one ball can carry at most all the energy
+        (2.0 * self.scene.initial_energy() / self.scene.balls[0].mass).sqrt()
+    }
+
+    fn within(&self, what: &str, got: f64, bound: f64) -> Result<(), String> {
+        // a NaN is not within anything
+        if got <= bound {
+            Ok(())
+        } else {
+            Err(format!("{what} is {got:e}, bound {bound:e}"))
+        }
+    }
+
+    fn check(&self, invariant: Invariant) -> Result<(), String> {
+        let (trace, scene) = (self.trace, self.scene);
+        let energy = scene.initial_energy();
+        let impacts = trace.events.len() as f64 + 1.0;
+        match invariant {
+            Invariant::Finite => {
+                let finite = |s: &State| {
+                    s.position
+                        .iter()
+                        .chain(&s.velocity)
+                        .chain(&s.spin)
+                        .all(|x| x.is_finite())
+                };
+                match trace
+                    .paths
+                    .iter()
+                    .flat_map(|path| &path.knots)
+                    .find(|knot| !finite(&knot.state))
+                {
+                    Some(knot) => Err(format!("state {knot:?}")),
+                    None => Ok(()),
+                }
+            }
+            // two products, two sums and a projection for each of two balls; rapier's own figure is 1e-15 in f64
+            Invariant::Momentum => {
+                let momentum = scene.balls[0].mass * self.fastest();
+                self.within(
+                    "momentum error",
+                    trace.extrema.momentum.value,
+                    64.0 * self.ulp() * momentum,
+                )
+            }
+            Invariant::ImpactEnergy => self.within(
+                "energy error of an impact",
+                self.impact_energy(),
+                64.0 * self.ulp() * energy,
+            ),
+            // each impact may round up
+            Invariant::EnergyNeverGrows => {
+                self.within(
+                    "energy gained",
+                    trace.extrema.energy_gained.value,
+                    16.0 * self.ulp() * energy * impacts,
+                )?;
+                let states: Vec<State> = trace
+                    .paths
+                    .iter()
+                    .map(|path| path.last().unwrap())
+                    .collect();
+                self.within(
+                    "energy at the end",
+                    scene.kinetic_energy(&states),
+                    energy * (1.0 + 16.0 * self.ulp() * impacts),
+                )
+            }
+            Invariant::Bounds => {
+                let bound = match trace.provenance.resolution {
+                    0.0 => scene.touching(),
+                    // walls are tested before balls move
+                    dt => self.fastest() * dt,
+                };
+                let beyond = |s: &State| (s.position.x.abs().max(s.position.y.abs())) - (HALF - R);
+                let knots = trace.paths.iter().flat_map(|path| &path.knots);
+                let farthest = knots
+                    .map(|knot| beyond(&knot.state))
+                    .fold(f64::NEG_INFINITY, f64::max);
+                self.within("distance outside", farthest, bound)
+            }
+            Invariant::Overlap => self.within(
+                "overlap by parry",
+                deepest_overlap(scene, trace),
+                scene.touching(),
+            ),
+            Invariant::EverythingStops => match trace.ending {
+                Ending::Rest => Ok(()),
+                ref other => Err(format!("ended as {other:?}")),
+            },
+            Invariant::Rerun => same(trace, &self.rerun(scene), 0.0),
+            Invariant::Mirror => {
+                let mirror = |v: Vec3| Vec3::new(-v.x, v.y, v.z);
+                self.transformed(mirror, (0..scene.balls.len()).collect())
+            }
+            Invariant::QuarterTurn => {
+                let turn = |v: Vec3| Vec3::new(-v.y, v.x, v.z);
+                self.transformed(turn, (0..scene.balls.len()).collect())
+            }
+            Invariant::Relabelling => {
+                self.transformed(|v| v, (0..scene.balls.len()).rev().collect())
+            }
+            Invariant::Scaling => self.scaled(),
+            Invariant::TimeReversal => self.reversed(),
+        }
+    }
+
+    /// Largest |change of energy| over ball-ball events, from both sides of each.
+    fn impact_energy(&self) -> f64 {
+        let mut change: BTreeMap<u32, f64> = BTreeMap::new();
+        for (ball, path) in self.trace.paths.iter().enumerate() {
+            let energy = |s: &State| {
+                kinetic_energy(s, self.scene.balls[ball].mass, self.scene.inertia(ball))
+            };
+            for pair in path.knots.windows(2) {
+                if let Some(event) = pair[1].after {
+                    *change.entry(event).or_default() +=
+                        energy(&pair[1].state) - energy(&pair[0].state);
+                }
+            }
+        }
+        let hits = change.iter().filter(|(e, _)| {
+            matches!(
+                self.trace.events[**e as usize].kind,
+                EventKind::BallBall(..)
+            )
+        });
+        hits.map(|(_, change)| change.abs()).fold(0.0, f64::max)
+    }
+
+    /// The trace of the transformed scene is the transformed trace, up to rounding times the growth of an error.
+    fn transformed(&self, map: impl Fn(Vec3) -> Vec3, order: Vec<usize>) -> Result<(), String> {
+        let mapped = |s: &State| State {
+            position: map(s.position),
+            velocity: map(s.velocity),
+            spin: s.spin,
+        };
+        let mut scene = self.scene.clone();
+        scene.balls = order.iter().map(|&i| self.scene.balls[i].clone()).collect();
+        for ball in &mut scene.balls {
+            ball.state = mapped(&ball.state);
+        }
+        let other = self.rerun(&scene);
+        let mut expected = self.trace.clone();
+        expected.paths = order.iter().map(|&i| self.trace.paths[i].clone()).collect();
+        for knot in expected.paths.iter_mut().flat_map(|path| &mut path.knots) {
+            knot.state = mapped(&knot.state);
+        }
+        self.within(
+            "distance of the final states",
+            apart(&expected, &other),
+            self.rounding_grown(),
+        )
+    }
+
+    /// Lengths, speeds and gravity times four: the same times, lengths times four.
+    fn scaled(&self) -> Result<(), String> {
+        let mut scene = self.scene.clone();
+        scene.gravity *= 4.0;
+        scene.table = scene.table.map(|t| Table {
+            min: t.min.map(|x| 4.0 * x),
+            max: t.max.map(|x| 4.0 * x),
+        });
+        for ball in &mut scene.balls {
+            ball.radius *= 4.0;
+            ball.state.position *= 4.0;
+            ball.state.velocity *= 4.0;
+        }
+        let mut other = self.rerun(&scene);
+        for knot in other.paths.iter_mut().flat_map(|path| &mut path.knots) {
+            knot.state.position /= 4.0;
+            knot.state.velocity /= 4.0;
+        }
+        self.within(
+            "distance of the final states",
+            apart(self.trace, &other),
+            self.rounding_grown(),
+        )
+    }
+
+    /// Run, turn every velocity round, run as long again: back at the start.
+    fn reversed(&self) -> Result<(), String> {
+        let mut scene = self.scene.clone();
+        for (ball, path) in scene.balls.iter_mut().zip(&self.trace.paths) {
+            let end = path.last().unwrap();
+            ball.state.position = end.position;
+            ball.state.velocity = -end.velocity;
+        }
+        let back = self.rerun(&scene);
+        let distance = |(i, path): (usize, &carom::trace::Path)| {
+            (path.last().unwrap().position - self.scene.balls[i].state.position).norm()
+        };
+        let worst = back
+            .paths
+            .iter()
+            .enumerate()
+            .map(distance)
+            .fold(0.0, f64::max);
+        // there and back: the error of the way there grows on the way back too
+        self.within(
+            "distance from the start",
+            worst,
+            self.rounding_grown() * self.growth(),
+        )
+    }
+
+    /// By how much an error of the start has grown at the end: measured by moving the first moving ball by 1e-7 R.
+    fn growth(&self) -> f64 {
+        let nudge = 1e-7 * R;
+        let mut worst = 1.0_f64;
+        for axis in 0..2 {
+            let mut scene = self.scene.clone();
+            scene.balls[0].state.position[axis] += nudge;
+            worst = worst.max(apart(self.trace, &self.rerun(&scene)) / nudge);
+        }
+        worst
+    }
+
+    /// Rounding of coordinates of the size of the table, once per event, times the growth measured above and a factor of 100
+    /// for the directions that were not tried.
+    fn rounding_grown(&self) -> f64 {
+        100.0 * self.ulp() * HALF * (self.trace.events.len() as f64 + 1.0) * self.growth()
+    }
+}
+
+/// Largest distance of a ball between the ends of two traces, or infinity if their events differ in kind.
+fn apart(a: &Trace, b: &Trace) -> f64 {
+    if a.events.len() != b.events.len() {
+        return f64::INFINITY;
+    }
+    let ends = a.paths.iter().zip(&b.paths);
+    ends.map(|(p, q)| (p.last().unwrap().position - q.last().unwrap().position).norm())
+        .fold(0.0, f64::max)
+}
+
+fn same(a: &Trace, b: &Trace, _tolerance: f64) -> Result<(), String> {
+    let first = |x: &[Event], y: &[Event]| x.iter().zip(y).position(|(p, q)| p != q);
+    match a == b {
+        true => Ok(()),
+        false => Err(format!(
+            "differs; first differing event {:?}",
+            first(&a.events, &b.events)
+        )),
+    }
+}
+
+#[test]
+fn every_engine_keeps_its_promises_in_random_scenes() {
+    let mut checked: BTreeMap<(&str, &str), u64> = BTreeMap::new();
+    let mut promised: Vec<(&str, &str)> = Vec::new();
+    let mut broken = Vec::new();
+    let defaults: Vec<(&str, &[&str])> = ENGINES
+        .iter()
+        .map(|engine| (engine.id(), &[] as &[&str]))
+        .collect();
+    for (engine, settings) in defaults.into_iter().chain(VARIANTS) {
+        let setting = Setting::parse(settings.iter().copied()).unwrap();
+        // a run of rapier costs a thousand times one of exact
+        let scenes = if engine.starts_with("rapier") {
+            SCENES / 10
+        } else {
+            SCENES
+        };
+        for index in 0..scenes {
+            let scene = random_scene(index);
+            assert!(find(engine).unwrap().missing(&scene).is_empty());
+            let trace = run(engine, settings, &scene, Record::Every(0.02));
+            let case = Case {
+                engine,
+                settings,
+                scene: &scene,
+                trace: &trace,
+            };
+            for invariant in find(engine).unwrap().promises(&scene, &setting) {
+                promised.push((engine, invariant.id()));
+                match case.check(invariant) {
+                    Ok(()) => *checked.entry((engine, invariant.id())).or_default() += 1,
+                    Err(why) => broken.push(format!(
+                        "{engine} {settings:?} in scene {index}: {}: {why}",
+                        invariant.id()
+                    )),
+                }
+            }
+        }
+    }
+    assert!(
+        broken.is_empty(),
+        "{} broken promises:\n{}",
+        broken.len(),
+        broken.join("\n")
+    );
+    for key in promised {
+        assert!(
+            checked.contains_key(&key),
+            "{key:?} was promised and never held"
+        );
+    }
+    for engine in ENGINES {
+        for invariant in [Invariant::Finite, Invariant::Momentum, Invariant::Rerun] {
+            assert!(
+                checked[&(engine.id(), invariant.id())] >= 4,
+                "{} {}",
+                engine.id(),
+                invariant.id()
+            );
+        }
+    }
+}
