@@ -8,7 +8,7 @@ mod engines;
 mod output;
 mod report;
 mod run;
-mod scene;
+pub mod scene;
 mod terminal;
 
 use arguments::{Arguments, Command};

@@ -59,7 +59,7 @@ impl LoadError {
 }
 
 /// Does one of the commands below `carom scene`.
-pub fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
+pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
     match command {
         SceneCommand::List => {
             terminal::print(&report::render(&list_document()?, &format).unwrap_or_default())

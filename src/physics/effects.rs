@@ -128,6 +128,7 @@ pub enum Cloth<T = f64> {
     /// Coulomb friction on the centre, without rotation: the report's law.
     Translational {
         /// Coefficient of friction, >= 0; sliding cloth is typically 0.2.
+        #[schemars(range(min = 0))]
         mu: T,
     },
 }

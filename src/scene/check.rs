@@ -57,9 +57,15 @@ impl<'s> Walk<'s> {
         }
     }
 
-    fn value(&mut self, path: &str, schema: &'s Value, value: &Spanned<DeValue<'_>>) {
+    /// `around`: the advice of the list that the value stands in, for values that have none of their own.
+    fn value(&mut self, path: &str, schema: &'s Value, around: &str, value: &Spanned<DeValue<'_>>) {
         let target = self.target(schema);
-        let advice = advice(schema, target);
+        let own = advice(schema, target);
+        let advice = if own.is_empty() {
+            around.to_owned()
+        } else {
+            own
+        };
         let span = value.span();
         if let Some(words) = words(target) {
             return self.word(path, &words, value);
@@ -72,10 +78,10 @@ impl<'s> Walk<'s> {
                 if size.is_some_and(|n| n != items.len() as u64) {
                     let found = items.len();
                     let message = format!("{} must be {}, not {found}", last(path), wanted(target));
-                    self.report(Kind::WrongType, span, message, advice);
+                    self.report(Kind::WrongType, span, message, advice.as_str());
                 }
                 for (i, item) in items.iter().enumerate() {
-                    self.value(&format!("{path}[{i}]"), &target["items"], item);
+                    self.value(&format!("{path}[{i}]"), &target["items"], &advice, item);
                 }
             }
             ("number", DeValue::Float(_) | DeValue::Integer(_)) => {
@@ -83,8 +89,13 @@ impl<'s> Walk<'s> {
             }
             ("integer", DeValue::Integer(_)) => self.number(path, target, &advice, value),
             ("string", DeValue::String(_)) | ("boolean", DeValue::Boolean(_)) => {}
-            (_, found) => {
-                let found = name_of_type(found);
+            (kind, found) => {
+                let fraction = kind == "integer" && matches!(found, DeValue::Float(_));
+                let found = if fraction {
+                    "a number with a fraction"
+                } else {
+                    name_of_type(found)
+                };
                 let message = format!("{} must be {}, not {found}", last(path), wanted(target));
                 self.report(Kind::WrongType, span, message, advice);
             }
@@ -100,8 +111,10 @@ impl<'s> Walk<'s> {
                 match i64::from_str_radix(digits.as_str(), digits.radix()) {
                     Ok(whole) => whole as f64,
                     Err(_) => {
+                        let message =
+                            format!("{} has more digits than a whole number can", last(path));
                         let help = "write it with a decimal point or an exponent, such as 1.0e20";
-                        return self.report(Kind::OutOfRange, value.span(), must, help);
+                        return self.report(Kind::OutOfRange, value.span(), message, help);
                     }
                 }
             }
@@ -160,7 +173,7 @@ impl<'s> Walk<'s> {
         for (key, value) in table {
             let inner = join(path, key.get_ref());
             if let Some(property) = known.get(key.get_ref().as_ref()) {
-                self.value(&inner, property, value);
+                self.value(&inner, property, "", value);
             } else if let Some(what) = self.reserved_at(&inner) {
                 self.not_built(&inner, what, key.span(), &[]);
             } else if self.is_reserved_group(&inner) {
@@ -197,7 +210,7 @@ impl<'s> Walk<'s> {
             let inner = join(path, key.get_ref());
             let law = variants.iter().find(|(name, _)| name == key.get_ref());
             if let Some((_, schema)) = law {
-                self.value(&inner, schema, value);
+                self.value(&inner, schema, "", value);
             } else if let Some(what) = self.reserved_at(&inner) {
                 let built: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
                 self.not_built(&inner, what, key.span(), &built);
@@ -394,7 +407,7 @@ fn advice(schema: &Value, target: &Value) -> String {
 
 fn with_guess<'a>(word: &str, known: impl Iterator<Item = &'a str>, otherwise: &str) -> String {
     match nearest(word, known) {
-        Some(guess) => format!("did you mean `{}`? {otherwise}", printable(guess)),
+        Some(guess) => format!("did you mean `{}`?", printable(guess)),
         None => otherwise.to_owned(),
     }
 }

@@ -200,6 +200,16 @@ pub fn printable(text: &str) -> String {
     out
 }
 
+/// A number with at most six significant digits, as a person would write it.
+pub fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    if rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
 /// The renderer puts an empty gutter line between the snippet and the help; the mark already parts them.
 fn without_empty_gutter_before_help(rendered: &str) -> String {
     let lines: Vec<&str> = rendered.lines().collect();
@@ -256,7 +266,7 @@ pub enum SceneError {
     #[error("{0}")]
     Invalid(Diagnostics),
     /// The catalogue has no scene of this name.
-    #[error("no scene is called `{}`{}; known are {known}", printable(name), did_you_mean(nearest.as_deref()))]
+    #[error("no scene is called `{}`; {}", printable(name), guess_or_list(nearest.as_deref(), known))]
     Unknown {
         /// The name that was asked for.
         name: String,
@@ -267,6 +277,9 @@ pub enum SceneError {
     },
 }
 
-fn did_you_mean(nearest: Option<&str>) -> String {
-    nearest.map_or(String::new(), |name| format!("; did you mean `{name}`?"))
+fn guess_or_list(nearest: Option<&str>, known: &str) -> String {
+    match nearest {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("known are {known}"),
+    }
 }

@@ -21,10 +21,10 @@ pub struct SceneFile {
     /// What the scene is and what would be right, in one or two sentences.
     #[serde(default)]
     pub description: String,
-    /// Sets that the scene belongs to.
+    /// Sets that the scene belongs to; `sets = ["report"]`.
     #[serde(default)]
     pub sets: Vec<SetName>,
-    /// Longest simulated time, s, greater than 0; a run ends earlier once everything is at rest.
+    /// Longest simulated time, s, greater than 0, a run ends earlier once everything is at rest; the report's is 20.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
     /// Whether the run goes on to `duration` after everything has come to rest; false if absent.
@@ -36,15 +36,15 @@ pub struct SceneFile {
     /// What the numbers are measured in.
     #[serde(default)]
     pub units: UnitsFile,
-    /// The table: x in `[0, width]`, y in `[0, length]`; an unbounded plane if absent.
+    /// The table, an unbounded plane if absent; a `[table]` has a `width` along x and a `length` along y.
     pub table: Option<TableFile>,
-    /// Radius and mass of every ball that does not say otherwise.
+    /// Radius and mass of every ball that does not say otherwise; a `[ball]` has `radius` and `mass`.
     #[serde(default)]
     pub ball: BallDefaults,
-    /// Balls one by one, in scene order.
+    /// Balls one by one, in scene order; each begins with the line `[[balls]]`.
     #[serde(default)]
     pub balls: Vec<BallFile>,
-    /// A triangle of balls "1" to "15", after `[[balls]]` in scene order.
+    /// A triangle of balls "1" to "15", after `[[balls]]` in scene order; a `[rack]` has `apex`, `rows` and `gap`.
     pub rack: Option<RackFile>,
     /// How one ball is set in motion; one of `[shot.force]` and `[shot.velocity]`.
     pub shot: Option<ShotFile>,

@@ -1,7 +1,7 @@
 //! Where balls may be: on the table, apart from each other, and at coordinates that f64 resolves.
 
 use super::Scene;
-use super::diagnostics::{Diagnostic, Kind};
+use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
 use crate::physics::Side;
 
@@ -36,7 +36,9 @@ fn too_far_out(scene: &Scene, paths: &[String], at: &Located<'_>) -> Diagnostic 
     let span = ball.map_or_else(|| at.value("table"), |i| at.value(&paths[i]));
     let radius = scene.smallest_radius();
     let message = format!(
-        "a coordinate of {largest:e} is too large for balls of radius {radius:e}: rounding would move them"
+        "a coordinate of {} is too large for balls of radius {}: rounding would move them",
+        short(largest),
+        short(radius)
     );
     let help = "move the scene nearer to the origin, or use larger balls";
     Diagnostic::new(Kind::OutOfRange, span, message, help)
@@ -86,24 +88,30 @@ fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec
 fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
     let slack = scene.touching();
     let largest = scene.balls.iter().map(|b| b.radius).fold(0.0, f64::max);
-    let x = |i: usize| scene.balls[i].state.position.x;
-    let mut by_x: Vec<usize> = (0..scene.balls.len()).collect();
-    by_x.sort_by(|&a, &b| x(a).total_cmp(&x(b)).then(a.cmp(&b)));
-    let mut found = 0;
-    for (k, &i) in by_x.iter().enumerate() {
-        let near = by_x[k + 1..]
-            .iter()
-            .take_while(|&&j| x(j) - x(i) <= 2.0 * largest);
-        for &j in near {
-            let apart = scene.balls[i].state.position - scene.balls[j].state.position;
-            let distance = apart.xy().norm();
-            let overlap = scene.contact_distance(i, j) - distance;
-            if overlap > slack && found < MOST {
-                found += 1;
-                problems.push(overlap_of(scene, paths, at, (i.min(j), i.max(j)), overlap));
-            }
-        }
-    }
+    // sweep along the axis on which the balls spread more, so that a row of many balls stays cheap
+    let spread = |axis: usize| {
+        let along = scene.balls.iter().map(|b| b.state.position[axis]);
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        high - low
+    };
+    let axis = usize::from(spread(1) > spread(0));
+    let along = |i: usize| scene.balls[i].state.position[axis];
+    let mut order: Vec<usize> = (0..scene.balls.len()).collect();
+    order.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+    let near = order.iter().enumerate().flat_map(|(k, &i)| {
+        let after = order[k + 1..].iter();
+        let near = after.take_while(move |&&j| along(j) - along(i) <= 2.0 * largest);
+        near.map(move |&j| (i.min(j), i.max(j)))
+    });
+    let overlapping = near.filter_map(|(i, j)| {
+        let apart = scene.balls[i].state.position - scene.balls[j].state.position;
+        let overlap = scene.contact_distance(i, j) - apart.xy().norm();
+        (overlap > slack).then_some((i, j, overlap))
+    });
+    let found = overlapping.take(MOST);
+    problems.extend(found.map(|(i, j, overlap)| overlap_of(scene, paths, at, (i, j), overlap)));
 }
 
 fn overlap_of(
@@ -147,14 +155,4 @@ fn overlap_of(
         at.value(&paths[other]),
         format!("ball \"{}\"", scene.balls[other].id),
     )
-}
-
-/// A number with at most six significant digits, as a person would write it.
-fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    if rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
 }

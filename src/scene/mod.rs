@@ -28,10 +28,12 @@ use toml::de::{DeTable, Error};
 /// Every error of the file is reported at once, as far as one does not hide another: first syntax, then keys, types and
 /// ranges, then what does not fit together.
 pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
+    // editors on some systems begin a file with a byte order mark, which is no part of its first line
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let invalid = |problems| SceneError::Invalid(Diagnostics::new(file_name, text, problems));
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        return Err(invalid(errors.iter().map(syntax).collect()));
+        return Err(invalid(syntax_errors(text, &errors)));
     }
     let located = Located {
         root: root.into_inner(),
@@ -65,12 +67,34 @@ pub fn parse_bytes(file_name: &str, bytes: &[u8]) -> Result<Scene, SceneError> {
     }
 }
 
+/// One error a line: the parser goes on after an error, and what it meets in the rest of that line is mostly its own confusion.
+fn syntax_errors(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
+    let mut problems: Vec<Diagnostic> = errors.iter().map(syntax).collect();
+    problems.sort_by_key(|problem| problem.span.start);
+    let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
+    problems.dedup_by_key(|problem| ends.partition_point(|end| *end < problem.span.start));
+    problems
+}
+
 fn syntax(error: &Error) -> Diagnostic {
+    let span = error.span().unwrap_or_default();
+    let message = error.message().replace('\n', ", ");
+    if message == "duplicate key" {
+        let message = "this key is in its table already";
+        let help = "a key may stand once in a table: remove one of the two";
+        return Diagnostic::new(Kind::Duplicate, span, message, help);
+    }
+    // the parser guesses what a bare word was meant to be, and mostly guesses wrong
+    let bare_word = [
+        "string values must be quoted",
+        "invalid boolean",
+        "invalid float",
+    ];
+    if bare_word.iter().any(|start| message.starts_with(start)) {
+        let message = "a value is expected here";
+        let help = "text stands in quotes, numbers as 1.5 or 2e-3, truth as true or false, lists as [1, 2]";
+        return Diagnostic::new(Kind::Syntax, span, message, help);
+    }
     let help = "a scene is a TOML file: `[table]` headers and lines of `key = value`";
-    Diagnostic::new(
-        Kind::Syntax,
-        error.span().unwrap_or_default(),
-        error.message().replace('\n', ", "),
-        help,
-    )
+    Diagnostic::new(Kind::Syntax, span, message, help)
 }

@@ -3,7 +3,7 @@
 //! Works on typed values that are each in range already; what it finds are errors between values, and it finds all of them.
 
 use super::check::{LARGEST, missing};
-use super::diagnostics::{Diagnostic, Kind, nearest};
+use super::diagnostics::{Diagnostic, Kind, nearest, short};
 use super::file::{SceneFile, ShotFile};
 use super::located::Located;
 use super::rack;
@@ -13,6 +13,9 @@ use crate::math::angle::unit_vector;
 use crate::physics::cue::speed_from_force;
 use crate::physics::{Cloth, Effects, State};
 use std::collections::HashMap;
+
+/// Longest list of balls that an error prints.
+const LISTED: usize = 16;
 
 /// A ball and the place in the file that it comes from.
 pub(super) struct Placed {
@@ -30,7 +33,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
     let mut placed = listed_balls(&file, at, &mut problems);
     placed.extend(rack::balls(&file, at, &mut problems));
     names::check_balls(&placed, at, &mut problems);
-    if placed.is_empty() && problems.is_empty() {
+    if file.balls.is_empty() && file.rack.is_none() {
         let help = "add `[[balls]]` with `id` and `position`, or a `[rack]`";
         problems.push(missing(0..0, "a scene must have a ball", help));
     }
@@ -201,7 +204,10 @@ fn play(
         ),
     };
     if speed > LARGEST {
-        let message = format!("this shot gives a speed of {speed:e}, more than {LARGEST:e}");
+        let message = format!(
+            "this shot gives a speed of {}, more than {LARGEST:e}",
+            short(speed)
+        );
         let help = "the speed is force * contact_time / mass";
         problems.push(Diagnostic::new(
             Kind::OutOfRange,
@@ -219,8 +225,11 @@ fn unknown_ball(id: &str, path: &str, placed: &[Placed], at: &Located<'_>) -> Di
     let known: Vec<&str> = placed.iter().map(|p| p.ball.id.as_str()).collect();
     let message = format!("the scene has no ball \"{id}\"");
     let guess = nearest(id, known.iter().copied());
-    let guess = guess.map_or(String::new(), |name| format!("did you mean \"{name}\"? "));
-    let help = format!("{guess}the scene has {}", known.join(", "));
+    let help = match guess {
+        Some(name) => format!("did you mean \"{name}\"?"),
+        None if known.len() > LISTED => format!("the scene has {} other balls", known.len()),
+        None => format!("the scene has {}", known.join(", ")),
+    };
     let span = at.value(&format!("{path}.ball"));
     Diagnostic::new(Kind::UnknownBall, span, message, help)
 }
