@@ -2,10 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 mod architecture;
+mod cli;
 mod contract;
 mod exact;
 mod rapier;
 mod references;
+mod registries;
 mod scene_cli;
 mod scene_errors;
 mod scene_fuzz;

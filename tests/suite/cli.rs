@@ -1,0 +1,271 @@
+//! The program as other programs meet it: exit codes, streams, files.
+
+use assert_cmd::Command;
+use carom::trace::files::{Files, read};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+fn carom(arguments: &[&str]) -> Output {
+    Command::cargo_bin("carom")
+        .unwrap()
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn files_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn run_writes_four_files_that_read_back_as_the_same_trace() {
+    let folder = tempfile::tempdir().unwrap();
+    for engine in ["stepper", "exact", "rapier-f64"] {
+        let out = folder.path().join(engine);
+        let output = carom(&[
+            "run",
+            "head-on",
+            "--engine",
+            engine,
+            "--out",
+            out.to_str().unwrap(),
+        ]);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{engine}: {}",
+            text(&output.stderr)
+        );
+        assert_eq!(
+            files_in(&out),
+            ["events.csv", "final.csv", "run.json", "samples.csv"],
+            "{engine}"
+        );
+        let file = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+        let written = Files {
+            events: file("events.csv"),
+            samples: file("samples.csv"),
+            final_states: file("final.csv"),
+            run: file("run.json"),
+        };
+        let trace = read(&written).unwrap();
+        assert_eq!(trace.provenance.engine, engine);
+        assert_eq!(
+            carom::trace::files::write(&trace).unwrap(),
+            written,
+            "{engine}: not the same files again"
+        );
+        let header = |name: &str| file(name).lines().next().unwrap().to_owned();
+        assert_eq!(header("events.csv"), "index,time,kind,a,b,exchanges");
+        assert_eq!(
+            header("samples.csv"),
+            "time,ball,x,y,z,vx,vy,vz,wx,wy,wz,event"
+        );
+        assert_eq!(
+            header("final.csv"),
+            "ball,x,y,z,vx,vy,vz,wx,wy,wz,stop_time"
+        );
+    }
+}
+
+#[test]
+fn two_runs_write_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str| {
+        let out = folder.path().join(name);
+        assert!(
+            carom(&[
+                "run",
+                "three-ball",
+                "--engine",
+                "rapier-f32",
+                "--out",
+                out.to_str().unwrap()
+            ])
+            .status
+            .success()
+        );
+        files_in(&out)
+            .into_iter()
+            .map(|file| fs::read(out.join(file)).unwrap())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(write("a"), write("b"));
+}
+
+#[test]
+fn what_cannot_run_ends_with_2_and_says_why_on_stderr() {
+    let out = tempfile::tempdir().unwrap();
+    let out = out.path().join("x");
+    let out = out.to_str().unwrap();
+    for (arguments, wanted) in [
+        (vec!["compare", "report-brake"], "report-break"),
+        (vec!["compare", "no/such/file.toml"], "no such file"),
+        (
+            vec!["compare", "slide", "--engines", "jolt"],
+            "there are stepper, exact, rapier-f64, rapier-f32",
+        ),
+        (
+            vec!["compare", "slide", "--engines", "stepper,stepper"],
+            "listed twice",
+        ),
+        (vec!["compare", "slide", "--format", "pdf"], "json"),
+        (
+            vec![
+                "run", "slide", "--engine", "stepper", "--set", "dt=0", "--out", out,
+            ],
+            "expected a step above 0",
+        ),
+        (
+            vec![
+                "run", "slide", "--engine", "stepper", "--set", "dt", "--out", out,
+            ],
+            "KEY=VALUE",
+        ),
+        (
+            vec![
+                "run",
+                "slide",
+                "--engine",
+                "rapier-f64",
+                "--set",
+                "drag=1",
+                "--out",
+                out,
+            ],
+            "known are",
+        ),
+        (
+            vec![
+                "run", "slide", "--engine", "exact", "--every", "0", "--out", out,
+            ],
+            "above 0 s",
+        ),
+        (vec!["run", "slide", "--out", out], "--engine"),
+        (vec!["juggle"], "juggle"),
+    ] {
+        let output = carom(&arguments);
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{arguments:?}: {}",
+            text(&output.stdout)
+        );
+        let said = text(&output.stderr);
+        assert!(said.contains(wanted), "{arguments:?}: {said}");
+        assert!(output.stdout.is_empty(), "{arguments:?}: wrote to stdout");
+    }
+    assert!(!Path::new(out).exists(), "a run that failed left files");
+}
+
+#[test]
+fn compare_names_the_first_difference_and_its_cause_in_every_format() {
+    let shown = |format: &str| {
+        let output = carom(&[
+            "compare",
+            "six-balls",
+            "--format",
+            format,
+            "--engines",
+            "stepper,rapier-f64",
+        ]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    for format in ["text", "markdown", "csv", "json"] {
+        let shown = shown(format);
+        for wanted in ["stepper", "rapier-f64", "exact", "strict", "unexplained"] {
+            assert!(shown.contains(wanted), "{format} lacks {wanted}: {shown}");
+        }
+    }
+    let json: Value = serde_json::from_str(&shown("json")).unwrap();
+    assert!(json.is_object());
+    assert!(
+        shown("text")
+            .lines()
+            .all(|line| line.chars().count() <= 100)
+    );
+}
+
+#[test]
+fn scenes_without_an_answer_compare_the_engines_with_each_other() {
+    let output = carom(&[
+        "compare",
+        "report-break-frozen",
+        "--engines",
+        "stepper,stepper:contact=approaching-only",
+    ]);
+    let shown = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(shown.contains("indeterminate"), "{shown}");
+    assert!(
+        shown.contains("stepper | stepper contact=approaching-only"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn report_writes_a_site_that_needs_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("report");
+    let output = carom(&["report", "slide", "head-on", "--out", out.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let page =
+        |name: &str| fs::read_to_string(out.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let index = page("index.html");
+    for wanted in [
+        "What the report got wrong",
+        "slide",
+        "head-on",
+        "pages/slide.html",
+        "rapier3d-f64 0.36.1",
+    ] {
+        assert!(index.contains(wanted), "index.html lacks {wanted}");
+    }
+    for text in [&index, &page("pages/head-on.html")] {
+        for outside in ["http://", "https://", "src=\"//", "@import"] {
+            // the namespace of SVG is a name and not an address
+            let text = text.replace("http://www.w3.org/2000/svg", "");
+            assert!(!text.contains(outside), "a page names {outside}");
+        }
+    }
+    let json: Value = serde_json::from_str(&page("report.json")).unwrap();
+    assert!(json.is_object());
+    assert!(page("report.md").contains("What the report got wrong"));
+}
+
+#[test]
+fn lists_derive_from_the_registries() {
+    let engines = text(&carom(&["engines"]).stdout);
+    for engine in carom::engine::ENGINES {
+        assert!(engines.contains(engine.id()));
+        for knob in engine.knobs() {
+            assert!(engines.contains(&knob.key), "{}", knob.key);
+            assert!(
+                !knob.what.is_empty(),
+                "{} of {} has no meaning",
+                knob.key,
+                engine.id()
+            );
+        }
+    }
+    let scenes: Value =
+        serde_json::from_slice(&carom(&["scene", "list", "--format", "json"]).stdout).unwrap();
+    for entry in carom::scene::catalogue::all() {
+        assert!(scenes.to_string().contains(entry.name), "{}", entry.name);
+    }
+    assert!(text(&carom(&["completions", "bash"]).stdout).contains("carom"));
+    assert_eq!(carom(&["--version"]).status.code(), Some(0));
+    assert_eq!(carom(&["--help"]).status.code(), Some(0));
+}
