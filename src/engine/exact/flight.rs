@@ -32,6 +32,8 @@ pub struct Flight<T> {
     pub velocity: [T; 2],
     /// Constant acceleration until `end`.
     pub acceleration: [T; 2],
+    /// Largest speed of the flight.
+    pub fastest: T,
     /// What the ball does.
     pub phase: Phase,
 }
@@ -67,6 +69,7 @@ impl<T: Real> Flight<T> {
             position,
             velocity: [zero; 2],
             acceleration: [zero; 2],
+            fastest: zero,
             phase: Phase::Rest,
         };
         let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
@@ -74,15 +77,17 @@ impl<T: Real> Flight<T> {
         if square == zero {
             return at_rest;
         }
+        let speed = square.sqrt();
         let moving = Flight {
             velocity,
+            fastest: speed,
             phase: Phase::Free,
             ..at_rest
         };
         match ground {
             Ground::Frictionless => moving,
             Ground::Coulomb(deceleration) => {
-                let duration = square.sqrt() / deceleration;
+                let duration = speed / deceleration;
                 Flight {
                     end: start + duration,
                     acceleration: [-velocity[0] / duration, -velocity[1] / duration],

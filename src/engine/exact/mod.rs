@@ -10,9 +10,12 @@
 //! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod doubt;
 pub mod flight;
+mod impact;
 mod predict;
 mod queue;
+mod record;
 mod simultaneous;
 mod solve;
 mod world;
@@ -139,7 +142,7 @@ struct Prepared<'a, T: Real> {
 
 impl<T: Real> Run for Prepared<'_, T> {
     fn inside(&self) -> Inside {
-        let world = self.solver.world();
+        let world = &self.solver.world;
         let states = self.solver.states();
         let balls: Vec<Ball> = (0..states.len())
             .map(|i| Ball {
@@ -181,13 +184,13 @@ impl<T: Real> Run for Prepared<'_, T> {
             row(
                 Role::Mass,
                 "mass",
-                self.range(&self.solver.world().mass),
+                self.range(&self.solver.world.mass),
                 &unit.mass,
             ),
             row(
                 Role::Radius,
                 "radius",
-                self.range(&self.solver.world().radius),
+                self.range(&self.solver.world.radius),
                 &unit.length,
             ),
             row(Role::Rotation, "rotation", "not simulated", ""),
@@ -236,7 +239,7 @@ impl<T: Real> Run for Prepared<'_, T> {
 impl<T: Real> Prepared<'_, T> {
     /// What the engine's laws do, as friction and restitution of every kind of pair.
     fn materials(&self, balls: usize) -> Vec<PairMaterial> {
-        let world = self.solver.world();
+        let world = &self.solver.world;
         let mut found = Vec::new();
         for ball in 0..balls {
             let mut add = |partner, friction, restitution| {
