@@ -2,5 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 mod exact;
+mod exact_endings;
+mod random;
 mod references;
 mod support;

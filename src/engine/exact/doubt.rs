@@ -111,16 +111,20 @@ impl<T: Real> Loop<'_, T> {
     /// A ball stopped within the blur of another: did it reach it?
     #[cold]
     pub fn stop_in_doubt(&mut self, ball: usize, flight: &Flight<T>) -> Option<Ending> {
-        let from = self.place(ball);
         let near = std::mem::take(&mut self.notes.near);
         for neighbour in near {
             let Near::Pair(_, other) = neighbour else {
                 continue;
             };
+            if self.solver.flights[other].moves() {
+                continue;
+            }
             let to = self.place(other);
-            let (x, y) = (to[0] - from[0], to[1] - from[1]);
-            let approached = flight.velocity[0] * x + flight.velocity[1] * y;
-            let (sx, sy) = (to[0] - flight.position[0], to[1] - flight.position[1]);
+            // where it was when both had begun what they were doing
+            let since = flight.start.at_least(self.solver.flights[other].start);
+            let (earlier, velocity) = flight.at(since);
+            let (sx, sy) = (to[0] - earlier[0], to[1] - earlier[1]);
+            let approached = velocity[0] * sx + velocity[1] * sy;
             let apart = (sx * sx + sy * sy).sqrt() - self.solver.world.distance(ball, other);
             let blur = self.solver.world.blur.length;
             if approached > T::zero() && apart > blur + blur {
