@@ -1,6 +1,6 @@
 //! Cost of the exact engine: whole shots, and events.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::print_stderr, missing_docs)]
 
 use carom::engine::{self, Limits, Setting};
 use carom::scene::Scene;

@@ -3,6 +3,8 @@
 
 mod exact;
 mod exact_endings;
+mod exact_laws;
+mod exact_symmetries;
 mod random;
 mod references;
 mod support;

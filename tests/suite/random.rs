@@ -2,7 +2,7 @@
 
 use crate::support::{Scenario, scenario};
 use carom::math::Vec3;
-use carom::physics::{Cloth, Contact, Cushion, Effects, State};
+use carom::physics::{Cloth, State};
 use carom::scene::{Ball, Scene, Table};
 
 /// SplitMix64: the sample depends on the seed alone, on every machine.
@@ -20,11 +20,6 @@ impl Random {
 
     pub fn between(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * self.unit()
-    }
-
-    /// One of 0 .. n.
-    pub fn below(&mut self, n: usize) -> usize {
-        (self.unit() * n as f64) as usize
     }
 }
 
@@ -106,9 +101,31 @@ pub fn mapped(scene: &Scene, f: impl Fn(f64, f64) -> (f64, f64)) -> Scene {
     mapped
 }
 
-/// Effects with elastic contact and cushions and no cloth.
-pub const FRICTIONLESS: Effects = Effects {
-    cloth: None,
-    contact: Some(Contact::Elastic {}),
-    cushion: Some(Cushion::Elastic {}),
-};
+fn draws(mu: f64) -> Vec<Draw> {
+    let mut draws = Vec::new();
+    for (balls, moving) in [(2, 1), (3, 3), (5, 2), (8, 1), (12, 4)] {
+        for unequal in [false, true] {
+            draws.push(Draw {
+                balls,
+                moving,
+                mu,
+                duration: if mu > 0.0 { 20.0 } else { 1.5 },
+                unequal,
+            });
+        }
+    }
+    draws
+}
+
+/// Random scenes of every kind, `each` of ten kinds: one ball moving or several, equal or not, sparse or crowded.
+///
+/// Without friction they are short, so that errors do not grow too much.
+pub fn scenes(mu: f64, each: u64) -> Vec<Scene> {
+    let draws = draws(mu);
+    let of = |(i, draw): (usize, &Draw)| -> Vec<Scene> {
+        (0..each)
+            .map(|seed| random_scene(1000 * i as u64 + seed, *draw))
+            .collect()
+    };
+    draws.iter().enumerate().flat_map(of).collect()
+}

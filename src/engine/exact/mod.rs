@@ -4,8 +4,12 @@
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
 //! - `queue`: which ball is next.
-//! - `simultaneous`: whether the order of impacts at one instant matters.
-//! - `solve`: the event loop.
+//! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
+//! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters.
+//!
+//! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
+//! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
+//! the table, and cells or neighbour lists only have to narrow the partners of a row.
 //!
 //! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.

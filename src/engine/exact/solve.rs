@@ -265,3 +265,80 @@ impl<T: Real> Loop<'_, T> {
             .finish(self.now.to_f64(), &states, ending, counters)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+    use crate::physics::{Cloth, Contact, Cushion, Effects};
+    use crate::scene::{Ball, Simultaneous, Table, Units};
+
+    fn three_balls() -> Scene {
+        let ball = |id: &str, x: f64, y: f64, vx: f64, vy: f64| Ball {
+            id: id.to_owned(),
+            radius: 0.25,
+            mass: 0.17,
+            state: State {
+                position: Vec3::new(x, y, 0.25),
+                velocity: Vec3::new(vx, vy, 0.0),
+                spin: Vec3::zeros(),
+            },
+        };
+        Scene {
+            name: "three".to_owned(),
+            description: String::new(),
+            sets: Vec::new(),
+            duration: 20.0,
+            run_to_duration: false,
+            gravity: 9.81,
+            units: Units {
+                length: "L".to_owned(),
+                length_in_metres: None,
+                mass: "M".to_owned(),
+                mass_in_kg: None,
+                time: "s".to_owned(),
+            },
+            table: Some(Table {
+                min: [0.0, 0.0],
+                max: [6.0, 10.0],
+            }),
+            balls: vec![
+                ball("a", 1.0, 1.0, 3.0, 6.0),
+                ball("b", 2.5, 3.8, 0.0, 0.0),
+                ball("c", 4.0, 8.0, -1.0, -2.0),
+            ],
+            shot: None,
+            effects: Effects {
+                cloth: Some(Cloth::Translational { mu: 0.2 }),
+                contact: Some(Contact::Elastic {}),
+                cushion: Some(Cushion::Elastic {}),
+            },
+            simultaneous: Simultaneous::Refuse,
+            richer: None,
+            try_settings: Vec::new(),
+        }
+    }
+
+    fn run<T: Real>(scene: &Scene) -> Trace {
+        Solver::<T>::new(scene).run(Provenance::default(), Record::Events, &Limits::NONE)
+    }
+
+    #[test]
+    fn another_scalar_runs_the_same_source() {
+        let scene = three_balls();
+        let (wide, narrow) = (run::<f64>(&scene), run::<f32>(&scene));
+        assert_eq!(
+            (&wide.ending, &narrow.ending),
+            (&Ending::Rest, &Ending::Rest)
+        );
+        let kinds = |trace: &Trace| -> Vec<_> { trace.events.iter().map(|e| e.kind).collect() };
+        assert_eq!(kinds(&wide), kinds(&narrow));
+        assert!(wide.counters["ball_ball"] > 0, "{:?}", wide.counters);
+        for (a, b) in wide.paths.iter().zip(&narrow.paths) {
+            let ends = a.last().zip(b.last());
+            let error = ends.map_or(f64::NAN, |(a, b)| (a.position - b.position).norm());
+            // an ulp of f32 at 10 is 1e-6; a few hits let it grow
+            assert!(error > 0.0 && error < 1e-3, "off by {error:e}");
+        }
+    }
+}
