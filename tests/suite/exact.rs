@@ -66,7 +66,6 @@ fn shots_of_the_report_agree_with_fifty_digits() {
         assert_eq!(truth.events.len(), events, "{name}: number of events");
         let (time, state) = errors(&trace, &truth, events);
         let last = final_error(&trace, &truth);
-        println!("exact on {name}: t {time:.1e}, states {state:.1e}, final {last:.1e}");
         for (what, error) in [
             ("time", time),
             ("state", state),
@@ -88,7 +87,6 @@ fn discs_in_a_box_agree_with_260_digits() {
     scene.duration = truth.end_time;
     let trace = run("exact", &[], &scene, Record::Events);
     let (time, state) = errors(&trace, &truth, 50);
-    println!("exact on e: 50 events: t {time:.1e}, states {state:.1e}");
     assert!(time <= 1e-9, "exact on e: time error {time:e} in 50 events");
     assert!(
         state <= 1e-8,
@@ -97,7 +95,6 @@ fn discs_in_a_box_agree_with_260_digits() {
     let kinds = trace.events.iter().map(|event| event.kind);
     let order = kinds.zip(&truth.events).take_while(|(a, b)| *a == b.kind);
     let order = order.count();
-    println!("exact on e: order holds for {order} events");
     // an error of 1e-16 grows 3e7 times by event 60 (README of the references), e-fold by e-fold to order 1 by about 110
     assert!(
         order >= 100,

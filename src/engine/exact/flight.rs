@@ -32,6 +32,8 @@ pub struct Flight<T> {
     pub velocity: [T; 2],
     /// Constant acceleration until `end`.
     pub acceleration: [T; 2],
+    /// Largest speed of the flight.
+    pub fastest: T,
     /// What the ball does.
     pub phase: Phase,
 }
@@ -67,6 +69,7 @@ impl<T: Real> Flight<T> {
             position,
             velocity: [zero; 2],
             acceleration: [zero; 2],
+            fastest: zero,
             phase: Phase::Rest,
         };
         let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
@@ -74,15 +77,17 @@ impl<T: Real> Flight<T> {
         if square == zero {
             return at_rest;
         }
+        let speed = square.sqrt();
         let moving = Flight {
             velocity,
+            fastest: speed,
             phase: Phase::Free,
             ..at_rest
         };
         match ground {
             Ground::Frictionless => moving,
             Ground::Coulomb(deceleration) => {
-                let duration = square.sqrt() / deceleration;
+                let duration = speed / deceleration;
                 Flight {
                     end: start + duration,
                     acceleration: [-velocity[0] / duration, -velocity[1] / duration],
@@ -122,5 +127,78 @@ pub fn state<T: Real>(position: [T; 2], velocity: [T; 2], z: f64, spin: Vector3<
         position: Vector3::new(position[0].to_f64(), position[1].to_f64(), z),
         velocity: Vector3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
         spin,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::cloth::translational::{deceleration, stop_distance, stop_time};
+
+    const MU: f64 = 0.2;
+    const G: f64 = 9.81;
+
+    fn flight(velocity: [f64; 2]) -> Flight<f64> {
+        let effects = Effects {
+            cloth: Some(Cloth::Translational { mu: MU }),
+            ..Effects::default()
+        };
+        Flight::new(Ground::new(&effects, G), 1.0, [3.0, 4.0], velocity)
+    }
+
+    #[test]
+    fn its_derivative_is_the_rate_of_the_cloth_law() {
+        for velocity in [[3.0, 0.0], [-1.0, 2.0], [0.3, -7.0]] {
+            let flight = flight(velocity);
+            let h = 1e-3;
+            for part in [0.01, 0.3, 0.7, 0.99] {
+                let t = flight.start + part * (flight.end - flight.start - h);
+                let ((p0, v0), (p1, v1)) = (flight.at(t), flight.at(t + h));
+                let speed = v0[0].hypot(v0[1]);
+                for axis in 0..2 {
+                    let rate = -deceleration(MU, G) * v0[axis] / speed;
+                    let found = (v1[axis] - v0[axis]) / h;
+                    // the difference of two numbers of size v, divided by h
+                    let rounding = 8.0 * f64::EPSILON * 10.0 / h;
+                    assert!(
+                        (found - rate).abs() <= rounding,
+                        "{velocity:?} at {t}: {found} instead of {rate}"
+                    );
+                    // constant acceleration: the mean of both velocities is exact
+                    let mean = 0.5 * (v0[axis] + v1[axis]);
+                    assert!(((p1[axis] - p0[axis]) / h - mean).abs() <= rounding);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn it_ends_where_the_law_says_with_no_velocity_left() {
+        let flight = flight([3.0, -4.0]);
+        assert!((flight.end - 1.0 - stop_time(5.0, MU, G)).abs() < 1e-15);
+        let rest = flight.rest_position();
+        let distance = (rest[0] - 3.0).hypot(rest[1] - 4.0);
+        assert!((distance - stop_distance(5.0, MU, G)).abs() < 1e-14);
+        let (position, velocity) = flight.at(flight.end);
+        assert!((position[0] - rest[0]).hypot(position[1] - rest[1]) < 1e-14);
+        assert!(velocity[0].hypot(velocity[1]) < 1e-14);
+    }
+
+    #[test]
+    fn without_friction_it_never_ends() {
+        for ground in [
+            Ground::<f64>::Frictionless,
+            Ground::new(
+                &Effects {
+                    cloth: Some(Cloth::Translational { mu: 0.0 }),
+                    ..Effects::default()
+                },
+                G,
+            ),
+        ] {
+            let flight = Flight::new(ground, 0.0, [0.0, 0.0], [1.0, 2.0]);
+            assert_eq!((flight.phase, flight.end), (Phase::Free, f64::INFINITY));
+            assert_eq!(flight.at(10.0), ([10.0, 20.0], [1.0, 2.0]));
+        }
     }
 }

@@ -4,15 +4,22 @@
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
 //! - `queue`: which ball is next.
-//! - `simultaneous`: whether the order of impacts at one instant matters.
-//! - `solve`: the event loop.
+//! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
+//! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters.
+//!
+//! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
+//! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
+//! the table, and cells or neighbour lists only have to narrow the partners of a row.
 //!
 //! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod doubt;
 pub mod flight;
+mod impact;
 mod predict;
 mod queue;
+mod record;
 mod simultaneous;
 mod solve;
 mod world;
@@ -143,7 +150,7 @@ struct Prepared<'a, T: Real> {
 
 impl<T: Real> Run for Prepared<'_, T> {
     fn inside(&self) -> Inside {
-        let world = self.solver.world();
+        let world = &self.solver.world;
         let states = self.solver.states();
         let balls: Vec<Ball> = (0..states.len())
             .map(|i| Ball {
@@ -186,13 +193,13 @@ impl<T: Real> Run for Prepared<'_, T> {
             row(
                 Role::Mass,
                 "mass",
-                self.range(&self.solver.world().mass),
+                self.range(&self.solver.world.mass),
                 &unit.mass,
             ),
             row(
                 Role::Radius,
                 "radius",
-                self.range(&self.solver.world().radius),
+                self.range(&self.solver.world.radius),
                 &unit.length,
             ),
             row(Role::Rotation, "rotation", "not simulated", ""),
@@ -241,7 +248,7 @@ impl<T: Real> Run for Prepared<'_, T> {
 impl<T: Real> Prepared<'_, T> {
     /// What the engine's laws do, as friction and restitution of every kind of pair.
     fn materials(&self, balls: usize) -> Vec<PairMaterial> {
-        let world = self.solver.world();
+        let world = &self.solver.world;
         let mut found = Vec::new();
         for ball in 0..balls {
             let mut add = |partner, friction, restitution| {

@@ -6,6 +6,7 @@ use super::world::World;
 use crate::math::Real;
 use crate::math::first_root::{Approach, Contact, first_contact, first_crossing, straight_contact};
 use crate::physics::Side;
+use std::ops::Range;
 
 /// What a prediction reads.
 pub struct View<'a, T> {
@@ -25,9 +26,18 @@ pub struct Notes<T> {
     /// Gap below which a neighbour is noted, length; `None`: none is.
     pub watch: Option<T>,
     /// The partner that is not noted.
-    pub known: usize,
+    pub known: Option<Near>,
     /// Neighbours closer than that.
     pub near: Vec<Near>,
+}
+
+impl<T> Notes<T> {
+    #[cold]
+    fn add(&mut self, near: Near) {
+        if self.known != Some(near) {
+            self.near.push(near);
+        }
+    }
 }
 
 /// A ball with something else in its reach.
@@ -45,7 +55,7 @@ impl<T: Real> View<'_, T> {
         &self,
         ball: usize,
         now: T,
-        partners: std::ops::Range<usize>,
+        partners: Range<usize>,
         skip: usize,
         notes: &mut Notes<T>,
     ) -> Candidate<T> {
@@ -82,7 +92,7 @@ impl<T: Real> View<'_, T> {
             if let Some(watch) = notes.watch
                 && gap <= watch
             {
-                notes.near.push(Near::Cushion(ball, side));
+                notes.add(Near::Cushion(ball, side));
             }
             let speed = outward(velocity[axis]);
             let acceleration = outward(flight.acceleration[axis]);
@@ -113,7 +123,7 @@ impl<T: Real> View<'_, T> {
         &self,
         ball: usize,
         now: T,
-        partners: std::ops::Range<usize>,
+        partners: Range<usize>,
         skip: usize,
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
@@ -136,12 +146,12 @@ impl<T: Real> View<'_, T> {
                 (partner.position, still)
             };
             let p = [place[0] - position[0], place[1] - position[1]];
-            let v = [motion[0] - velocity[0], motion[1] - velocity[1]];
+            let square = p[0] * p[0] + p[1] * p[1];
             let distance = world.distance(ball, other);
             if let Some(watch) = notes.watch {
                 let near = distance + watch;
-                if p[0] * p[0] + p[1] * p[1] <= near * near && other != notes.known {
-                    notes.near.push(Near::Pair(ball, other));
+                if square <= near * near {
+                    notes.add(Near::Pair(ball, other));
                 }
                 if rests {
                     continue;
@@ -149,6 +159,12 @@ impl<T: Real> View<'_, T> {
             }
             notes.root_calls += 1;
             let limit = best.time.at_most(partner.end) - now;
+            // too far apart for the time that is left
+            let range = distance + world.blur.length + (flight.fastest + partner.fastest) * limit;
+            if square > range * range {
+                continue;
+            }
+            let v = [motion[0] - velocity[0], motion[1] - velocity[1]];
             let found = if !partner_moves && flight.phase != Phase::Rest {
                 straight_contact(p, v, flight.end - now, distance, limit, &world.blur)
             } else if !moves || partner.phase == Phase::Free {

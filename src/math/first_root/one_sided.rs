@@ -15,14 +15,13 @@ use crate::math::Real;
 const PATIENCE: usize = 64;
 
 /// First contact up to `limit`, s from now, by the event rule of this module.
+#[inline]
 pub fn first_contact<T: Real>(approach: &Approach<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
     let curve = Curve::new(approach, blur);
-    let start = curve.at(T::zero());
-    if start.f <= curve.blurred {
-        curve.from_inside(&start, limit, blur)
-    } else {
-        curve.from_outside(start, limit, blur)
+    if curve.stays_apart(limit) {
+        return Contact::Never;
     }
+    curve.search(limit, blur)
 }
 
 /// The distance function and the parabola that is its second derivative.
@@ -65,6 +64,46 @@ impl<T: Real> Curve<T> {
         }
     }
 
+    /// True if the bound over the whole stretch proves a miss: the answer for most pairs, without a root or a division.
+    #[inline]
+    fn stays_apart(&self, limit: T) -> bool {
+        let start = self.start();
+        let bound = self.least_curvature(T::zero(), limit);
+        let half = bound * T::lift(0.5);
+        let margin = self.blurred + start.f * T::lift(32.0 * T::ULP);
+        let clear = start.f - margin;
+        if clear <= T::zero() {
+            return false;
+        }
+        if bound > T::zero() {
+            // lowest where the slope of the bound vanishes
+            start.slope >= T::zero() || start.slope * start.slope < T::lift(4.0) * half * clear
+        } else {
+            // concave, and positive at both ends
+            clear + limit * (start.slope + half * limit) > T::zero()
+        }
+    }
+
+    #[inline(never)]
+    fn search(&self, limit: T, blur: &Blur<T>) -> Contact<T> {
+        let start = self.start();
+        if start.f <= self.blurred {
+            self.search_from_inside(&start, limit, blur)
+        } else {
+            self.search_from_outside(start, limit, blur)
+        }
+    }
+
+    fn start(&self) -> Point<T> {
+        let Approach { p, v, .. } = &self.approach;
+        let slope = p[0] * v[0] + p[1] * v[1];
+        Point {
+            t: T::zero(),
+            f: p[0] * p[0] + p[1] * p[1] - self.square,
+            slope: slope + slope,
+        }
+    }
+
     fn at(&self, t: T) -> Point<T> {
         let Approach { p, v, a, .. } = &self.approach;
         let half = t * T::lift(0.5);
@@ -84,13 +123,14 @@ impl<T: Real> Curve<T> {
 
     /// Smallest `f''` between two times.
     fn least_curvature(&self, from: T, to: T) -> T {
-        let least = self.curvature(from).at_most(self.curvature(to));
         let vertex = -self.c1; // over 2 c2
         let twice = self.c2 + self.c2;
-        if vertex > from * twice && vertex < to * twice {
-            least.at_most(self.c0 - self.c1 * self.c1 / (twice + twice))
+        if vertex <= from * twice {
+            self.curvature(from)
+        } else if vertex >= to * twice {
+            self.curvature(to)
         } else {
-            least
+            self.c0 - self.c1 * self.c1 / (twice + twice)
         }
     }
 
@@ -112,7 +152,7 @@ impl<T: Real> Curve<T> {
     }
 
     /// Searches from a point at which the discs are apart.
-    fn from_outside(&self, start: Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    fn search_from_outside(&self, start: Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
         let inflections = self.inflections();
         let mut here = start;
         loop {
@@ -289,7 +329,7 @@ impl<T: Real> Curve<T> {
     }
 
     /// Searches from a touching or overlapping start: contact now, or at or after the next turn inward.
-    fn from_inside(&self, start: &Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    fn search_from_inside(&self, start: &Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
         let zero = T::zero();
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
         if start.slope < -slow {
@@ -314,7 +354,7 @@ impl<T: Real> Curve<T> {
         if turn.f <= self.blurred {
             Contact::At(turn.t)
         } else {
-            self.from_outside(turn, limit, blur)
+            self.search_from_outside(turn, limit, blur)
         }
     }
 }

@@ -25,12 +25,14 @@ pub fn first_crossing<T: Real>(
     let t = if outward {
         let doubt = two * acceleration.abs() * blur.length;
         if acceleration < zero && square <= doubt {
-            // it turns back, or stops, within the blur of the line
-            return if square < -doubt {
-                Contact::Never
-            } else {
-                within(-speed / acceleration, limit, Contact::Unclear)
-            };
+            if square < -doubt {
+                return Contact::Never;
+            }
+            // it turns back, or stops, within the blur of the line: unclear from where the blur begins
+            let free = (gap - two * blur.length).at_least(zero);
+            let entry = speed * speed + two * acceleration * free;
+            let t = two * free / (speed + entry.at_least(zero).sqrt());
+            return within(t, limit, Contact::Unclear);
         }
         two * gap / (speed + square.sqrt())
     } else if acceleration <= zero {

@@ -1,0 +1,139 @@
+//! Where the loop stops to think: something else is within reach of an impact or a stop.
+
+use super::flight::Flight;
+use super::impact::Party;
+use super::predict::Near;
+use super::simultaneous::Cluster;
+use super::solve::Loop;
+use crate::math::Real;
+use crate::trace::Ending;
+
+/// Impacts at one instant whose order decides the result.
+pub struct Doubt {
+    /// The cluster.
+    pub balls: Vec<usize>,
+    /// Whether the impact under which it showed is itself beyond doubt.
+    pub happened: bool,
+}
+
+impl<T: Real> Loop<'_, T> {
+    /// Something else is within reach of an impact: does the order matter?
+    #[cold]
+    pub fn doubt(&mut self, sides: &[Party<T>], window: T) -> Option<Doubt> {
+        let near = std::mem::take(&mut self.notes.near);
+        let live = |velocity: &dyn Fn(usize) -> [T; 2]| {
+            let closes = |near: &&Near| self.closes(near, velocity, window);
+            near.iter().filter(closes).count()
+        };
+        let now = |ball: usize| self.solver.flights[ball].at(self.now).1;
+        let earlier = |ball: usize| {
+            let side = sides.iter().find(|side| side.ball == ball);
+            side.map_or_else(|| now(ball), |side| side.before)
+        };
+        let (before, after) = (live(&earlier), live(&now));
+        if before == 0 && after < 2 {
+            return None;
+        }
+        let n = self.versions.len();
+        let positions: Vec<_> = (0..n)
+            .map(|i| self.solver.flights[i].at(self.now).0)
+            .collect();
+        let velocities: Vec<_> = if before > 0 {
+            (0..n).map(earlier).collect()
+        } else {
+            (0..n).map(now).collect()
+        };
+        let seeds: Vec<usize> = sides.iter().map(|side| side.ball).collect();
+        let cluster = Cluster::around(&self.solver.world, &seeds, &positions, &velocities, window);
+        if !cluster.order_matters() {
+            return None;
+        }
+        let balls = cluster.balls;
+        if before > 0 {
+            // the impact itself is in doubt: take it back
+            for side in sides {
+                self.moving += usize::from(side.flight.moves());
+                self.moving -= usize::from(self.solver.flights[side.ball].moves());
+                self.solver.flights[side.ball] = side.flight;
+            }
+        }
+        Some(Doubt {
+            balls,
+            happened: before == 0,
+        })
+    }
+
+    /// True if a neighbour is reached within the window, at the velocities given.
+    fn closes(&self, near: &Near, velocity: &dyn Fn(usize) -> [T; 2], window: T) -> bool {
+        let world = &self.solver.world;
+        let (gap, closing) = match *near {
+            Near::Pair(a, b) => {
+                let (p, q) = (self.place(a), self.place(b));
+                let (v, w) = (velocity(a), velocity(b));
+                let (x, y) = (q[0] - p[0], q[1] - p[1]);
+                let apart = (x * x + y * y).sqrt();
+                let closing = ((v[0] - w[0]) * x + (v[1] - w[1]) * y) / apart;
+                (apart - world.distance(a, b), closing)
+            }
+            Near::Cushion(a, side) => {
+                let axis = side.axis();
+                let outward = |x: T| if side.sign() < 0 { -x } else { x };
+                let reach = world.reach[a][side as usize];
+                (
+                    outward(reach - self.place(a)[axis]),
+                    outward(velocity(a)[axis]),
+                )
+            }
+        };
+        closing > world.blur.speed && gap <= world.touching + closing * window
+    }
+
+    fn place(&self, ball: usize) -> [T; 2] {
+        self.solver.flights[ball].at(self.now).0
+    }
+
+    /// The ending of an impact in doubt, after recording it if it happened for certain.
+    #[cold]
+    pub fn indeterminate(
+        &mut self,
+        doubt: Doubt,
+        record: impl FnOnce(&mut Self),
+    ) -> Option<Ending> {
+        if doubt.happened {
+            record(self);
+        }
+        Some(Ending::Indeterminate(self.spot(
+            &doubt.balls,
+            "several impacts at one instant: their order decides the result",
+        )))
+    }
+
+    /// A ball stopped within the blur of another: did it reach it?
+    #[cold]
+    pub fn stop_in_doubt(&mut self, ball: usize, flight: &Flight<T>) -> Option<Ending> {
+        let near = std::mem::take(&mut self.notes.near);
+        for neighbour in near {
+            let Near::Pair(_, other) = neighbour else {
+                continue;
+            };
+            if self.solver.flights[other].moves() {
+                continue;
+            }
+            let to = self.place(other);
+            // where it was when both had begun what they were doing
+            let since = flight.start.at_least(self.solver.flights[other].start);
+            let (earlier, velocity) = flight.at(since);
+            let (sx, sy) = (to[0] - earlier[0], to[1] - earlier[1]);
+            let approached = velocity[0] * sx + velocity[1] * sy;
+            let apart = (sx * sx + sy * sy).sqrt() - self.solver.world.distance(ball, other);
+            let blur = self.solver.world.blur.length;
+            if approached > T::zero() && apart > blur + blur {
+                return Some(Ending::Undecidable(self.spot(
+                    &[ball.min(other), ball.max(other)],
+                    "one stops so close to the other that rounding decides whether it touches",
+                )));
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,217 @@
+//! What an impact does: both balls advanced to it, the law applied once, new flights, new predictions.
+//!
+//! This is the cold side of the loop: it runs once an event and is never inlined into the search for the next one.
+
+use super::doubt::Doubt;
+use super::flight::Flight;
+use super::predict::Near;
+use super::solve::Loop;
+use crate::math::Real;
+use crate::physics::{Body, Contact, Cushion, Motion, Side, contact, cushion};
+use crate::trace::Ending;
+use nalgebra::Vector3;
+
+/// Impacts of one ball at one instant beyond which it counts as collapsed. Elastic balls can need many (a light ball between two
+/// heavy ones), but no finite cluster of a real scene comes near it.
+const MOST_IMPACTS_AT_ONCE: u32 = 10_000;
+
+/// A velocity that an impact cancels down to this many ulps of what was cancelled is zero.
+const CANCELLED: f64 = 8.0;
+
+/// A ball on both sides of an impact.
+#[derive(Clone, Copy)]
+pub struct Party<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// What it did until now.
+    pub flight: Flight<T>,
+    /// Where it is.
+    pub position: [T; 2],
+    /// Velocity on the near side.
+    pub before: [T; 2],
+    /// Velocity on the far side.
+    pub after: [T; 2],
+}
+
+impl<T: Real> Loop<'_, T> {
+    fn body(&self, side: &Party<T>) -> Body<T> {
+        let zero = T::zero();
+        let lift = |v: &Vector3<f64>| Vector3::new(T::lift(v.x), T::lift(v.y), T::lift(v.z));
+        Body {
+            velocity: Vector3::new(side.before[0], side.before[1], zero),
+            spin: lift(&self.solver.scene.balls[side.ball].state.spin),
+            mass: self.solver.world.mass[side.ball],
+            radius: self.solver.world.radius[side.ball],
+        }
+    }
+
+    /// A ball as it is when an event reaches it.
+    fn arrival(&self, ball: usize) -> Party<T> {
+        let flight = self.solver.flights[ball];
+        let (position, before) = flight.at(self.now);
+        Party {
+            ball,
+            flight,
+            position,
+            before,
+            after: before,
+        }
+    }
+
+    /// Two balls meet.
+    #[inline(never)]
+    pub fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
+        let law = self.solver.world.contact?;
+        let (mut one, mut other) = (self.arrival(a), self.arrival(b));
+        let x = other.position[0] - one.position[0];
+        let y = other.position[1] - one.position[1];
+        let apart = (x * x + y * y).sqrt();
+        let n = Vector3::new(x / apart, y / apart, T::zero());
+        let closing =
+            (one.before[0] - other.before[0]) * n.x + (one.before[1] - other.before[1]) * n.y;
+        if closing <= self.solver.world.blur.speed {
+            return Some(Ending::Collapsed(self.spot(
+                &[a, b],
+                "they are pressed together without closing in: impacts follow each other without end",
+            )));
+        }
+        collide(
+            law,
+            &self.body(&one),
+            &self.body(&other),
+            &n,
+            &mut one,
+            &mut other,
+        );
+        if !finite(&one) || !finite(&other) {
+            return Some(Ending::NotFinite(
+                self.spot(&[a, b], "the impact left no finite velocity"),
+            ));
+        }
+        if let Some(ending) = self.streak(&[a, b]) {
+            return Some(ending);
+        }
+        let window = self.solver.world.time_error(self.now, closing) * T::lift(2.0);
+        if let Some(ending) = self.commit(&[one, other], Near::Pair(a, b), window) {
+            return self.indeterminate(ending, |run| run.record_pair(&one, &other, apart));
+        }
+        self.record_pair(&one, &other, apart);
+        None
+    }
+
+    /// A ball meets a cushion.
+    #[inline(never)]
+    pub fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
+        let law = self.solver.world.cushion?;
+        let mut one = self.arrival(a);
+        bounce(law, &self.body(&one), side, &mut one);
+        if !finite(&one) {
+            return Some(Ending::NotFinite(
+                self.spot(&[a], "the cushion left no finite velocity"),
+            ));
+        }
+        if let Some(ending) = self.streak(&[a]) {
+            return Some(ending);
+        }
+        let closing = one.before[side.axis()].abs();
+        let window = self.solver.world.time_error(self.now, closing) * T::lift(2.0);
+        if let Some(ending) = self.commit(&[one], Near::Cushion(a, side), window) {
+            return self.indeterminate(ending, |run| run.record_cushion(&one, side));
+        }
+        self.record_cushion(&one, side);
+        None
+    }
+
+    /// Puts the balls of an impact on their new flights and predicts their next events. Answers when the order of
+    /// impacts at this instant would decide the result.
+    fn commit(&mut self, sides: &[Party<T>], known: Near, window: T) -> Option<Doubt> {
+        let watch = self.solver.world.touching + self.solver.world.fastest * window;
+        self.notes.watch = Some(watch);
+        self.notes.near.clear();
+        for side in sides {
+            let flight = Flight::new(
+                self.solver.world.ground,
+                self.now,
+                side.position,
+                side.after,
+            );
+            self.moving += usize::from(flight.moves());
+            self.moving -= usize::from(side.flight.moves());
+            self.solver.flights[side.ball] = flight;
+            self.versions[side.ball] = self.versions[side.ball].wrapping_add(1);
+        }
+        let all = 0..self.versions.len();
+        for (i, side) in sides.iter().enumerate() {
+            self.notes.known = Some(known);
+            // the pair itself belongs to the row of the first
+            let skip = if i == 0 { usize::MAX } else { sides[0].ball };
+            self.predict(side.ball, all.clone(), skip);
+        }
+        self.notes.watch = None;
+        self.notes.known = None;
+        if self.notes.near.is_empty() {
+            return None;
+        }
+        self.doubt(sides, window)
+    }
+
+    /// Counts impacts of a ball while no time passes; answers when there are too many to be finite.
+    fn streak(&mut self, balls: &[usize]) -> Option<Ending> {
+        let resolution = self.now * T::lift(16.0 * T::ULP);
+        for ball in balls {
+            let (since, count) = &mut self.streaks[*ball];
+            if self.now - *since > resolution {
+                *since = self.now;
+                *count = 0;
+            }
+            *count += 1;
+            if *count > MOST_IMPACTS_AT_ONCE {
+                return Some(Ending::Collapsed(self.spot(
+                    balls,
+                    &format!("more than {MOST_IMPACTS_AT_ONCE} impacts without time passing"),
+                )));
+            }
+        }
+        None
+    }
+}
+
+/// Applies the law of an impact of two balls.
+#[inline(never)]
+fn collide<T: Real>(
+    law: Contact,
+    a: &Body<T>,
+    b: &Body<T>,
+    n: &Vector3<T>,
+    one: &mut Party<T>,
+    other: &mut Party<T>,
+) {
+    let (motion, reaction) = contact::impact(law, a, b, n);
+    one.after = settled(one.before, &motion);
+    other.after = settled(other.before, &reaction);
+}
+
+/// Applies the law of a cushion.
+#[inline(never)]
+fn bounce<T: Real>(law: Cushion, a: &Body<T>, side: Side, one: &mut Party<T>) {
+    one.after = settled(one.before, &cushion::impact(law, a, side));
+}
+
+/// The velocity after an impact; zero where nothing but the rounding of a cancellation is left.
+///
+/// Without this a head-on hit off the axes would leave the cue ball creeping at 1e-17 in a direction that is noise.
+fn settled<T: Real>(before: [T; 2], motion: &Motion<T>) -> [T; 2] {
+    let after = [motion.velocity.x, motion.velocity.y];
+    let square = |v: [T; 2]| v[0] * v[0] + v[1] * v[1];
+    let cancelled = square(before) + square([after[0] - before[0], after[1] - before[1]]);
+    let rounding = T::lift(CANCELLED * T::ULP);
+    if square(after) <= rounding * rounding * cancelled {
+        [T::zero(); 2]
+    } else {
+        after
+    }
+}
+
+fn finite<T: Real>(side: &Party<T>) -> bool {
+    (side.after[0] + side.after[1] + side.position[0] + side.position[1]).is_finite()
+}
