@@ -5,14 +5,20 @@
 //! position that rapier has there: the near side with the velocity that the ball would have had without the impact, the
 //! far side with the one that it has. A third knot pins the state at the start of that step.
 //!
+//! rapier finds a hit with the first substep that could reach it and reverses velocities once, after the last substep: an
+//! event is up to a step late, and up to a substep early, against the motion that it interrupts.
+//!
 //! What these knots leave unexplained is then known. While a ball slides, every substep h moves it with the velocity at the
-//! substep's end: |dr - T (v0 + v1)/2| = h |v1 - v0|/2, h v/2 at most. In the step of an impact the ball moves first with its old
-//! velocity and then, until restitution acts at the end of the step, with one that no longer approaches: the difference
-//! to the near side is at most the normal velocity that the impact took from it, so at most dt |jump| (half of that for
-//! two equal balls at e = 1). A stop within a step leaves at most a dt^2, a the deceleration. Pushing an overlap out moves a ball without
-//! a velocity, at most by the overlap. So `unexplained` stays below v dt (1 + 1/(2 substeps)), v the largest speed, as long as no
-//! ball moves farther in a step than contacts are predicted; a hit that is not reported leaves |jump|/2 times the whole time to
-//! the next knot.
+//! substep's end: |dr - T (v0 + v1)/2| = h |v1 - v0|/2, h v/2 at most. In the step of an impact the ball moves first with its
+//! old velocity and then, until restitution acts at the end of the step, with one that no longer approaches: the difference
+//! to the near side is at most the normal velocity that the impact took from it, so at most dt |jump| (half of that for two
+//! equal balls at e = 1). A stop within a step leaves at most a dt^2, a the deceleration. So `unexplained` stays below
+//! v dt (1 + 1/(2 substeps)), v the largest speed, as long as no ball moves farther in a step than contacts are predicted.
+//! A faster one is found inside what it hit, and pushing it out moves it without a velocity by at most the v dt that it went
+//! in. A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
+//!
+//! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
+//! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
 
 use super::interface::{Other, Push};
 use super::run::rest_speed;

@@ -160,7 +160,124 @@ impl Clock {
 
 #[cfg(test)]
 mod tests {
-    use super::Clock;
+    use super::*;
+    use crate::engine::rapier::interface::Push;
+    use crate::math::Vec3;
+    use crate::physics::Effects;
+    use crate::scene::{Ball, Simultaneous, Units};
+
+    /// One ball at speed 1 that stops being a number, or is taken out, in its third step.
+    struct Failing {
+        steps: u32,
+        quarantine: bool,
+    }
+
+    impl World for Failing {
+        const ULP: f64 = f64::EPSILON;
+        fn step(&mut self, _dt: f64) {
+            self.steps += 1;
+        }
+        fn read(&self, states: &mut Vec<State>) {
+            let broken = self.steps == 3 && !self.quarantine;
+            let x = if broken {
+                f64::NAN
+            } else {
+                0.1 * f64::from(self.steps)
+            };
+            *states = vec![State {
+                velocity: Vec3::x(),
+                ..State::at_rest(Vec3::new(x, 0.0, 1.0))
+            }];
+        }
+        fn pushes(&self, pushes: &mut Vec<Push>) {
+            pushes.clear();
+        }
+        fn quarantined(&self) -> Vec<u32> {
+            vec![0; usize::from(self.steps == 3 && self.quarantine)]
+        }
+        fn inside(&self) -> Inside {
+            Inside {
+                balls: Vec::new(),
+                inertia: Vec::new(),
+                energy: 0.0,
+                materials: Vec::new(),
+                ulp: f64::EPSILON,
+                contact_time: None,
+            }
+        }
+        fn gravity(&self) -> f64 {
+            0.0
+        }
+    }
+
+    fn one_ball() -> Scene {
+        let mut states = Vec::new();
+        let world = Failing {
+            steps: 0,
+            quarantine: false,
+        };
+        world.read(&mut states);
+        Scene {
+            name: "failing".into(),
+            description: String::new(),
+            sets: Vec::new(),
+            duration: 1.0,
+            run_to_duration: false,
+            gravity: 0.0,
+            units: Units {
+                length: "m".into(),
+                length_in_metres: None,
+                mass: "kg".into(),
+                mass_in_kg: None,
+                time: "s".into(),
+            },
+            table: None,
+            balls: vec![Ball {
+                id: "cue".into(),
+                radius: 1.0,
+                mass: 1.0,
+                state: states[0],
+            }],
+            shot: None,
+            effects: Effects::default(),
+            simultaneous: Simultaneous::Refuse,
+            richer: None,
+            try_settings: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_number_that_stops_being_one_ends_the_run_at_the_last_good_step() {
+        for quarantine in [false, true] {
+            let scene = one_ball();
+            let simulation = Simulation {
+                scene: &scene,
+                settings: Settings {
+                    dt: 0.1,
+                    ..Settings::default()
+                },
+                world: Failing {
+                    steps: 0,
+                    quarantine,
+                },
+                engine: "failing",
+                version: String::new(),
+            };
+            let trace = Box::new(simulation).simulate(Record::Events, &Limits::NONE);
+            let spot = trace.ending.spot().cloned();
+            assert!(
+                matches!(trace.ending, Ending::NotFinite(_)),
+                "{:?}",
+                trace.ending
+            );
+            let spot = spot.unwrap_or_else(|| panic!("no spot"));
+            assert_eq!(spot.balls, [0], "quarantine {quarantine}");
+            assert!((spot.time - 0.3).abs() < 1e-15, "quarantine {quarantine}");
+            assert_eq!(trace.end_time, 0.2, "quarantine {quarantine}");
+            let last = trace.paths[0].last();
+            assert_eq!(last.map(|state| state.position.x), Some(0.2));
+        }
+    }
 
     #[test]
     fn a_step_that_divides_the_duration_is_never_shortened() {
