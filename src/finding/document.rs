@@ -89,10 +89,26 @@ pub enum Cell {
     Count(u64),
     /// A number with three significant digits and its owner in brackets: `1.23 (7)`.
     Owned(f64, String),
+    /// A few words that judge; the words carry the meaning, the tone only points at them.
+    Verdict(Tone, String),
     /// A link to a page of the document: its id and the words to show.
     Page(String, String),
     /// A small picture.
     Picture(Box<Figure>),
+}
+
+/// What a verdict means to a reader who only glances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tone {
+    /// As it should be.
+    Good,
+    /// Worth a look.
+    Notice,
+    /// Not as it should be.
+    Bad,
+    /// Says nothing either way, such as an engine that could not run.
+    Quiet,
 }
 
 /// A picture as plain points.
@@ -108,13 +124,13 @@ pub struct Figure {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// True for a picture of the table: one unit is equally long on both axes.
+    /// True for a picture of the table: one unit is equally long on both axes. A tall one is laid on its side, y to the right.
     pub equal_scale: bool,
     /// A rectangle to draw, such as the table: smallest and largest corner.
     pub outline: Option<[[f64; 2]; 2]>,
     /// Curves and points.
     pub series: Vec<Series>,
-    /// Times or places to mark with a vertical line.
+    /// Times or places to mark with a line across the horizontal axis.
     pub marks: Vec<Mark>,
 }
 
@@ -151,7 +167,8 @@ impl Axis {
 /// One curve, or one set of points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Series {
-    /// Name in the legend. Series that share a name share a colour and one legend entry.
+    /// Name in the legend. Series that share a name share a colour and one legend entry; one without a name is drawn in grey
+    /// and has no entry.
     pub name: String,
     /// Points in order, x and y in the units of the axes. A NaN interrupts a line.
     pub points: Vec<[f64; 2]>,
@@ -212,5 +229,10 @@ impl Cell {
     /// Words.
     pub fn text(words: impl Into<String>) -> Self {
         Cell::Text(words.into())
+    }
+
+    /// Words that judge.
+    pub fn verdict(tone: Tone, words: impl Into<String>) -> Self {
+        Cell::Verdict(tone, words.into())
     }
 }

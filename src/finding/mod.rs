@@ -6,7 +6,7 @@
 mod document;
 
 pub use document::{
-    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table,
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
 };
 
 use serde::Serialize;
