@@ -1,1 +1,95 @@
-//! report.
+//! Writers of documents: one file a format, each writes any [`Document`], and no study knows a format.
+
+mod cell;
+pub mod csv;
+pub mod html;
+pub mod json;
+pub mod markdown;
+mod names;
+pub mod svg;
+pub mod text;
+
+use crate::finding::{Block, Document};
+use names::Pages;
+
+/// One format that fits into one stream, as `--format` names it.
+#[derive(Clone, Copy, Debug)]
+pub struct Format {
+    /// Unique kebab-case name.
+    pub id: &'static str,
+    /// What it is for, in a few words.
+    pub what: &'static str,
+    /// Writes any document.
+    pub write: fn(&Document) -> String,
+}
+
+/// Every format of `--format`; the first is the default.
+pub static FORMATS: &[Format] = &[
+    Format {
+        id: "text",
+        what: "aligned tables for a terminal",
+        write: text::write,
+    },
+    Format {
+        id: "json",
+        what: "one JSON document with the same content and every digit",
+        write: json::write,
+    },
+    Format {
+        id: "csv",
+        what: "the tables with every digit",
+        write: csv::write,
+    },
+    Format {
+        id: "markdown",
+        what: "tables that are readable as text too",
+        write: markdown::write,
+    },
+];
+
+/// The format called `id`.
+pub fn format(id: &str) -> Option<&'static Format> {
+    FORMATS.iter().find(|format| format.id == id)
+}
+
+/// A document in the format called `format`; `None` if there is no such format.
+pub fn render(document: &Document, id: &str) -> Option<String> {
+    format(id).map(|format| (format.write)(document))
+}
+
+/// A whole report as files: relative path and content of each.
+///
+/// `index.html` and `pages/` for a browser, `report.md` and `report.json` with everything, `tables/` and `figures/` with
+/// one CSV file a table and figure and one SVG file a figure. `index.html` comes last, so that it never links to a file
+/// that is not yet written.
+pub fn site(document: &Document) -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    for page in &Pages::of(document).list {
+        for (block, name) in page.document.blocks.iter().zip(&page.blocks) {
+            match block {
+                Block::Table(table) => {
+                    files.push((html::file(page, "tables", name, "csv"), csv::table(table)));
+                }
+                Block::Figure(figure) => {
+                    files.push((
+                        html::file(page, "figures", name, "csv"),
+                        csv::figure(figure),
+                    ));
+                    files.push((
+                        html::file(page, "figures", name, "svg"),
+                        svg::standalone(figure),
+                    ));
+                }
+                Block::Heading(_) | Block::Text(_) | Block::List(_) | Block::Command(_) => {}
+            }
+        }
+    }
+    let picture = |page: &names::Page, name: &str| Some(html::file(page, "figures", name, "svg"));
+    files.push((
+        "report.md".to_owned(),
+        markdown::write_with(document, picture),
+    ));
+    files.push(("report.json".to_owned(), json::write(document)));
+    files.extend(html::write(document));
+    files
+}

@@ -1,0 +1,266 @@
+//! Blocks of a page as HTML.
+
+use super::super::cell::{shown, significant};
+use super::super::names::{Page, Pages};
+use super::super::svg::{self, escape};
+use super::{file, link, root};
+use crate::finding::{Align, Block, Cell, Column, Figure, Table, Tone};
+use crate::trace::files::shortest;
+
+/// A longer table scrolls within the page, its heading in sight.
+const LONG: usize = 24;
+
+/// A figure with more points shows a summary of them here, and all in its CSV file.
+const MOST_POINTS: usize = 300;
+
+/// One block; `name`: its anchor.
+pub fn block(block: &Block, name: &str, page: &Page, pages: &Pages) -> String {
+    match block {
+        Block::Heading(words) => format!("<h2 id=\"{name}\">{}</h2>\n", inline(words)),
+        Block::Text(words) => format!("<p>{}</p>\n", inline(words)),
+        Block::List(items) => {
+            let items = items
+                .iter()
+                .map(|item| format!("<li>{}</li>\n", inline(item)));
+            format!("<ul>\n{}</ul>\n", items.collect::<String>())
+        }
+        Block::Command(command) => format!("<pre><code>{}</code></pre>\n", escape(command)),
+        Block::Table(content) => table(content, name, page, pages),
+        Block::Figure(content) => figure(content, name, page),
+    }
+}
+
+/// Words; what stands between two backticks is code.
+pub fn inline(words: &str) -> String {
+    let parts: Vec<&str> = words.split('`').collect();
+    if parts.len().is_multiple_of(2) {
+        return escape(words);
+    }
+    let part = |(i, part): (usize, &&str)| match i % 2 {
+        0 => escape(part),
+        _ => format!("<code>{}</code>", escape(part)),
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
+/// The same words with numbers and their short units on one line: large type breaks early.
+pub fn together(words: &str) -> String {
+    let parts: Vec<&str> = words.split(' ').collect();
+    let mut text = String::new();
+    for (i, part) in parts.iter().enumerate() {
+        let before = i.checked_sub(1).and_then(|i| parts[i].chars().last());
+        let short = part.trim_end_matches(|c: char| c.is_ascii_punctuation());
+        let unit = short.chars().count() <= 2 && short.chars().all(char::is_alphabetic);
+        if before.is_some_and(|c| c.is_ascii_digit()) && unit && !short.is_empty() {
+            text.push('\u{a0}');
+        } else if i > 0 {
+            text.push(' ');
+        }
+        text += part;
+    }
+    text
+}
+
+fn table(table: &Table, name: &str, page: &Page, pages: &Pages) -> String {
+    let title = if table.title.is_empty() {
+        String::new()
+    } else {
+        format!("<h3>{}</h3>", inline(&table.title))
+    };
+    let label = if table.title.is_empty() {
+        &table.id
+    } else {
+        &table.title
+    };
+    let mut html = format!(
+        "<section class=\"block\" id=\"{name}\">\n<div class=\"head\">{title}<span class=\"get\"><a href=\"{}{}\">CSV</a></span></div>\n\
+         <div class=\"table{}\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n<table>\n<thead><tr>",
+        root(page),
+        file(page, "tables", name, "csv"),
+        if table.rows.len() > LONG { " long" } else { "" },
+        escape(label)
+    );
+    html += &table.columns.iter().map(heading).collect::<String>();
+    html += "</tr></thead>\n<tbody>\n";
+    for row in &table.rows {
+        let pictures = row.iter().any(|cell| matches!(cell, Cell::Picture(_)));
+        html += if pictures {
+            "<tr class=\"pics\">"
+        } else {
+            "<tr>"
+        };
+        for (i, column) in table.columns.iter().enumerate() {
+            let content = row.get(i).unwrap_or(&Cell::Empty);
+            let class = match (column.align, content) {
+                (Align::Right, _) => " class=\"r\"",
+                (_, Cell::Text(words) | Cell::Verdict(_, words) | Cell::Page(_, words))
+                    if words.chars().count() > 24 =>
+                {
+                    " class=\"w\""
+                }
+                (Align::Left, _) => " class=\"k\"",
+            };
+            let names_row = i == 0 && matches!(content, Cell::Text(_) | Cell::Page(..));
+            html += &match names_row {
+                true => format!(
+                    "<th scope=\"row\"{class}>{}</th>",
+                    cell(content, page, pages)
+                ),
+                false => format!("<td{class}>{}</td>", cell(content, page, pages)),
+            };
+        }
+        html += "</tr>\n";
+    }
+    html += "</tbody>\n</table>\n</div>\n";
+    if !table.note.is_empty() {
+        html += &format!("<p class=\"note\">{}</p>\n", inline(&table.note));
+    }
+    html + "</section>\n"
+}
+
+fn heading(column: &Column) -> String {
+    let class = match column.align {
+        Align::Left => "",
+        Align::Right => " class=\"r\"",
+    };
+    let unit = if column.unit.is_empty() {
+        String::new()
+    } else {
+        format!(" <span class=\"unit\">{}</span>", escape(&column.unit))
+    };
+    format!(
+        "<th scope=\"col\"{class}>{}{unit}</th>",
+        inline(&column.title)
+    )
+}
+
+fn cell(cell: &Cell, page: &Page, pages: &Pages) -> String {
+    match cell {
+        Cell::Empty => "<span class=\"none\" aria-label=\"no value\">–</span>".to_owned(),
+        Cell::Text(words) => inline(words),
+        Cell::Verdict(tone, words) => {
+            let class = match tone {
+                Tone::Good => "good",
+                Tone::Notice => "notice",
+                Tone::Bad => "bad",
+                Tone::Quiet => "quiet",
+            };
+            format!("<span class=\"v {class}\">{}</span>", inline(words))
+        }
+        Cell::Page(id, words) => match pages.find(id) {
+            Some(to) => format!("<a href=\"{}\">{}</a>", link(page, to), escape(words)),
+            None => escape(words),
+        },
+        Cell::Owned(x, owner) if !owner.is_empty() => {
+            format!(
+                "{} <span class=\"owner\">({})</span>",
+                significant(*x),
+                escape(owner)
+            )
+        }
+        Cell::Picture(figure) => svg::thumbnail(figure),
+        Cell::Number(_) | Cell::Fixed(..) | Cell::Count(_) | Cell::Owned(..) => {
+            escape(&shown(cell))
+        }
+    }
+}
+
+fn figure(figure: &Figure, name: &str, page: &Page) -> String {
+    let drawing = svg::draw(figure, name);
+    let remarks: String = drawing
+        .remarks
+        .iter()
+        .map(|remark| format!(" {}", escape(remark)))
+        .collect();
+    let title = figure.title.trim_end_matches('.');
+    let csv = format!("{}{}", root(page), file(page, "figures", name, "csv"));
+    let picture = format!("{}{}", root(page), file(page, "figures", name, "svg"));
+    format!(
+        "<figure id=\"{name}\">\n<div class=\"picture\" tabindex=\"0\">{}</div>\n\
+         <figcaption><b>{}.</b> {}{remarks}</figcaption>\n\
+         <details><summary>Data</summary>\n{}<p class=\"note\"><a href=\"{csv}\">every point as CSV</a> · \
+         <a href=\"{picture}\">picture as SVG</a></p>\n</details>\n</figure>\n",
+        drawing.svg,
+        inline(title),
+        inline(&figure.caption),
+        data(figure)
+    )
+}
+
+/// The points of a figure, or what they span where they are many; and its marks.
+fn data(figure: &Figure) -> String {
+    let points: usize = figure.series.iter().map(|series| series.points.len()).sum();
+    let named = |label: &str, unit: &str| match unit {
+        "" => escape(label),
+        unit => format!(
+            "{} <span class=\"unit\">{}</span>",
+            escape(label),
+            escape(unit)
+        ),
+    };
+    let (x, y) = (
+        named(&figure.x.label, &figure.x.unit),
+        named(&figure.y.label, &figure.y.unit),
+    );
+    let mut rows = String::new();
+    let headings = if points <= MOST_POINTS {
+        for series in &figure.series {
+            for [x, y] in &series.points {
+                rows += &line(&series.name, &[shortest(*x), shortest(*y)]);
+            }
+        }
+        vec![x, y]
+    } else {
+        for series in &figure.series {
+            let range = |axis: usize| {
+                let finite = series
+                    .points
+                    .iter()
+                    .map(|point| point[axis])
+                    .filter(|x| x.is_finite());
+                let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+                    (lo.min(x), hi.max(x))
+                });
+                if lo > hi {
+                    String::new()
+                } else {
+                    format!("{} to {}", significant(lo), significant(hi))
+                }
+            };
+            rows += &line(
+                &series.name,
+                &[series.points.len().to_string(), range(0), range(1)],
+            );
+        }
+        vec!["points".to_owned(), x, y]
+    };
+    let headings: String = headings
+        .iter()
+        .map(|h| format!("<th scope=\"col\" class=\"r\">{h}</th>"))
+        .collect();
+    let mut html = format!(
+        "<div class=\"table\" tabindex=\"0\"><table><thead><tr><th scope=\"col\">series</th>{headings}</tr></thead>\n\
+         <tbody>\n{rows}</tbody></table></div>\n"
+    );
+    if !figure.marks.is_empty() {
+        let mark = |mark: &crate::finding::Mark| {
+            format!("{} {}", shortest(mark.at), escape(&mark.label))
+                .trim_end()
+                .to_owned()
+        };
+        let marks: Vec<String> = figure.marks.iter().map(mark).collect();
+        html += &format!("<p class=\"note\">Marks: {}.</p>\n", marks.join("; "));
+    }
+    html
+}
+
+fn line(series: &str, numbers: &[String]) -> String {
+    let numbers: String = numbers
+        .iter()
+        .map(|n| format!("<td class=\"r\">{n}</td>"))
+        .collect();
+    format!(
+        "<tr><th scope=\"row\">{}</th>{numbers}</tr>\n",
+        escape(series)
+    )
+}

@@ -1,0 +1,318 @@
+//! Curves, points and balls.
+
+use super::simplify::{self, Place};
+use super::{Plane, names, px};
+use crate::finding::{Figure, Series, Style};
+
+/// Colours that the style sheet has.
+const COLOURS: usize = 7;
+
+/// Dashes of the first, second, ... name: each can be told apart without colour.
+const DASHES: [&str; 6] = ["", "9 4", "2.5 3", "10 3 2.5 3", "16 5", "5 2 1.5 2 1.5 2"];
+
+/// How fine a picture is drawn.
+pub struct Pen {
+    /// How far a simplified line may be from the true one, px.
+    tolerance: f64,
+    /// Factor on all widths.
+    weight: f64,
+    /// Radius of a point, px.
+    point: f64,
+    /// Whether lines carry markers.
+    markers: bool,
+}
+
+impl Pen {
+    /// For a picture of its own.
+    pub const FULL: Pen = Pen {
+        tolerance: 0.2,
+        weight: 1.0,
+        point: 3.6,
+        markers: true,
+    };
+    /// For a row of a table.
+    pub const THUMBNAIL: Pen = Pen {
+        tolerance: 0.5,
+        weight: 0.55,
+        point: 1.4,
+        markers: false,
+    };
+}
+
+/// How one name is drawn.
+pub struct Look {
+    /// Place among the names; `None` for a series without a name.
+    pub index: Option<usize>,
+    /// Whether its lines carry markers.
+    pub marked: bool,
+    width: f64,
+}
+
+impl Look {
+    /// The look of the name with this index.
+    pub fn of(figure: &Figure, index: Option<usize>) -> Look {
+        let names = names(figure).len();
+        let lines = figure
+            .series
+            .iter()
+            .filter(|series| matches!(series.style, Style::Line | Style::Dashed))
+            .count();
+        // the first is the widest and below the others, so that all are seen where they agree
+        let below = names.saturating_sub(1 + index.unwrap_or(0)).min(4) as f64;
+        let (finest, more) = if lines > 12 { (1.1, 0.5) } else { (1.5, 0.6) };
+        Look {
+            index,
+            marked: lines <= 12 && names > 1 && !figure.equal_scale,
+            width: if index.is_some() {
+                finest + more * below
+            } else {
+                0.9
+            },
+        }
+    }
+
+    /// Class of the group.
+    pub fn class(&self) -> String {
+        match self.index {
+            Some(index) => format!("k{}", index % COLOURS),
+            None => "q".to_owned(),
+        }
+    }
+
+    /// Attributes of a line.
+    pub fn line(&self) -> String {
+        self.stroke(DASHES[self.index.unwrap_or(0) % DASHES.len()], 1.0)
+    }
+
+    /// Attributes of a line that is to be dashed.
+    pub fn dashed(&self) -> String {
+        self.stroke("1.5 4.5", 1.0)
+    }
+
+    fn stroke(&self, dashes: &str, weight: f64) -> String {
+        let width = format!(" stroke-width=\"{}\"", px(self.width * weight));
+        if dashes.is_empty() {
+            width
+        } else {
+            format!("{width} stroke-dasharray=\"{dashes}\"")
+        }
+    }
+
+    fn weighed(&self, style: Style, weight: f64) -> String {
+        match (style, weight < 1.0) {
+            // dashes are lost in a small picture
+            (_, true) => self.stroke("", weight),
+            (Style::Dashed, _) => self.dashed(),
+            _ => self.line(),
+        }
+    }
+}
+
+/// The shape of a point.
+#[derive(Clone, Copy)]
+pub enum Marker {
+    Circle,
+    Square,
+    Triangle,
+    Diamond,
+    Cross,
+}
+
+impl Marker {
+    /// The shape of the name with this index.
+    pub fn of(index: Option<usize>) -> Marker {
+        const SHAPES: [Marker; 5] = [
+            Marker::Circle,
+            Marker::Square,
+            Marker::Triangle,
+            Marker::Diamond,
+            Marker::Cross,
+        ];
+        SHAPES[index.unwrap_or(0) % SHAPES.len()]
+    }
+
+    /// The shape around a place; `r`: its radius, px.
+    pub fn at(self, (x, y): Place, r: f64) -> String {
+        let path = |d: String| format!("<path class=\"m\" d=\"{d}\"/>");
+        match self {
+            Marker::Circle => format!(
+                "<circle class=\"m\" cx=\"{}\" cy=\"{}\" r=\"{r}\"/>",
+                px(x),
+                px(y)
+            ),
+            Marker::Square => path(format!(
+                "M{} {}h{d}v{d}h-{d}z",
+                px(x - r),
+                px(y - r),
+                d = px(2.0 * r)
+            )),
+            Marker::Triangle => path(format!(
+                "M{} {}L{} {}H{}z",
+                px(x),
+                px(y - 1.2 * r),
+                px(x + 1.1 * r),
+                px(y + 0.9 * r),
+                px(x - 1.1 * r)
+            )),
+            Marker::Diamond => path(format!(
+                "M{} {}L{} {}L{} {}L{} {}z",
+                px(x),
+                px(y - 1.3 * r),
+                px(x + 1.3 * r),
+                px(y),
+                px(x),
+                px(y + 1.3 * r),
+                px(x - 1.3 * r),
+                px(y)
+            )),
+            Marker::Cross => path(format!(
+                "M{} {}l{d} {d}m0 -{d}l-{d} {d}",
+                px(x - r),
+                px(y - r),
+                d = px(2.0 * r)
+            )),
+        }
+    }
+}
+
+/// True when at least one point can be shown.
+pub fn any_place(figure: &Figure, plane: &Plane) -> bool {
+    let mut points = figure.series.iter().flat_map(|series| &series.points);
+    points.any(|&point| plane.place(point).is_some())
+}
+
+/// Every series of a figure, in order.
+pub fn drawn(figure: &Figure, plane: &Plane, pen: &Pen) -> String {
+    let names = names(figure);
+    let mut svg = String::new();
+    for (number, series) in figure.series.iter().enumerate() {
+        let index = names.iter().position(|name| *name == series.name);
+        let look = Look::of(figure, index);
+        let content = match series.style {
+            Style::Line | Style::Dashed => {
+                let stroke = look.weighed(series.style, pen.weight);
+                let mut content = line(series, plane, pen, &stroke);
+                if look.marked && pen.markers && series.style == Style::Line {
+                    let shift = (number % 5) as f64 / 5.0;
+                    content += &markers(series, plane, Marker::of(index), shift);
+                }
+                content
+            }
+            Style::Points => points(series, plane, pen, Marker::of(index)),
+            Style::Discs(radius) => discs(series, plane, radius),
+        };
+        if !content.is_empty() {
+            svg += &format!("<g class=\"{}\">{content}</g>", look.class());
+        }
+    }
+    svg
+}
+
+/// Stretches of points that can be shown, without those that cannot.
+fn runs(series: &Series, plane: &Plane) -> Vec<Vec<Place>> {
+    let mut runs = vec![Vec::new()];
+    for &point in &series.points {
+        match (plane.place(point), runs.last_mut()) {
+            (Some(place), Some(run)) => run.push(place),
+            _ => runs.push(Vec::new()),
+        }
+    }
+    runs.retain(|run| !run.is_empty());
+    runs
+}
+
+fn line(series: &Series, plane: &Plane, pen: &Pen, stroke: &str) -> String {
+    let mut d = String::new();
+    let mut dots = String::new();
+    for run in runs(series, plane) {
+        let places = simplify::line(&run, pen.tolerance);
+        if let [(x, y)] = places[..] {
+            dots += &format!(
+                "<circle class=\"d\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+                px(x),
+                px(y),
+                px(0.5 * pen.point)
+            );
+            continue;
+        }
+        let mut last = String::new();
+        for (i, (x, y)) in places.into_iter().enumerate() {
+            let place = format!("{} {}", px(x), px(y));
+            if place != last {
+                d.push(if i == 0 { 'M' } else { 'L' });
+                d += &place;
+                last = place;
+            }
+        }
+    }
+    if d.is_empty() {
+        return dots;
+    }
+    format!("<path class=\"l\" d=\"{d}\"{stroke}/>{dots}")
+}
+
+/// Markers on a line, the same way apart whatever its points are; `shift` keeps those of different lines apart.
+fn markers(series: &Series, plane: &Plane, marker: Marker, shift: f64) -> String {
+    const APART: f64 = 110.0;
+    const MOST: usize = 12;
+    let mut svg = String::new();
+    let mut drawn = 0;
+    for run in runs(series, plane) {
+        let mut next = APART * (0.3 + 0.6 * shift);
+        let mut travelled = 0.0;
+        for pair in run.windows(2) {
+            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+            let step = (x1 - x0).hypot(y1 - y0);
+            while travelled + step >= next && step > 0.0 && drawn < MOST {
+                drawn += 1;
+                let share = (next - travelled) / step;
+                svg += &marker.at((x0 + share * (x1 - x0), y0 + share * (y1 - y0)), 3.6);
+                next += APART;
+            }
+            travelled += step;
+        }
+    }
+    svg
+}
+
+fn points(series: &Series, plane: &Plane, pen: &Pen, marker: Marker) -> String {
+    let places = places(series, plane);
+    // a cloud of many is drawn finer, and plain
+    if places.len() > 400 || pen.point < 2.0 {
+        let r = px(pen.point.min(1.6));
+        let dot = |(x, y): Place| {
+            format!(
+                "<circle class=\"d\" cx=\"{}\" cy=\"{}\" r=\"{r}\"/>",
+                px(x),
+                px(y)
+            )
+        };
+        return places.into_iter().map(dot).collect();
+    }
+    places
+        .into_iter()
+        .map(|place| marker.at(place, pen.point))
+        .collect()
+}
+
+fn discs(series: &Series, plane: &Plane, radius: f64) -> String {
+    let unit = plane.x.length() / (2.0 * plane.x.range.half());
+    let r = px((radius.abs() * unit).clamp(0.5, 1e4));
+    let disc = |(x, y): Place| {
+        format!(
+            "<circle class=\"o\" cx=\"{}\" cy=\"{}\" r=\"{r}\"/>",
+            px(x),
+            px(y)
+        )
+    };
+    places(series, plane).into_iter().map(disc).collect()
+}
+
+/// Places of points, each once: those that fall on the same tenth of a pixel are one.
+fn places(series: &Series, plane: &Plane) -> Vec<Place> {
+    let mut seen = std::collections::BTreeSet::new();
+    let shown = series.points.iter().filter_map(|&point| plane.place(point));
+    shown
+        .filter(|(x, y)| seen.insert(((x * 10.0).round() as i64, (y * 10.0).round() as i64)))
+        .collect()
+}
