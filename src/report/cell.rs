@@ -35,6 +35,16 @@ pub fn shown(cell: &Cell) -> String {
     }
 }
 
+/// True for a column of pictures, which has no place in text.
+pub fn only_pictures(table: &Table, index: usize) -> bool {
+    let mut cells = table
+        .rows
+        .iter()
+        .filter_map(|row| row.get(index))
+        .peekable();
+    cells.peek().is_some() && cells.all(|cell| matches!(cell, Cell::Picture(_)))
+}
+
 /// What a program reads: every digit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Exact<'a> {

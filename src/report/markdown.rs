@@ -1,6 +1,6 @@
 //! Markdown that is readable as text too: pipes aligned, units in the heading.
 
-use super::cell::shown;
+use super::cell::{only_pictures, shown};
 use super::names::{Page, Pages};
 use crate::finding::{Align, Block, Cell, Document, Table};
 
@@ -52,60 +52,58 @@ fn table_in(table: &Table, pages: &Pages) -> String {
     if !table.title.is_empty() {
         text += &format!("**{}**\n\n", escape(&table.title));
     }
-    let heading = table.columns.iter().map(|column| {
-        let title = cell_text(&column.title);
-        if column.unit.is_empty() {
-            title
-        } else {
-            format!("{title} ({})", cell_text(&column.unit))
-        }
-    });
-    let mut grid: Vec<Vec<String>> = vec![heading.collect()];
-    for row in &table.rows {
-        let cell = |i: usize| {
-            row.get(i)
-                .map(|cell| linked(cell, pages))
-                .unwrap_or_default()
-        };
-        grid.push((0..table.columns.len()).map(cell).collect());
-    }
-    let width = |i: usize| {
-        grid.iter()
-            .map(|row| length(&row[i]))
-            .max()
-            .unwrap_or(0)
-            .max(3)
-    };
-    let widths: Vec<usize> = (0..table.columns.len()).map(width).collect();
-    for (number, row) in grid.iter().enumerate() {
-        let cells = row
+    let columns: Vec<Vec<String>> = (0..table.columns.len())
+        .filter(|&i| !only_pictures(table, i))
+        .map(|i| column(table, i, pages))
+        .collect();
+    for line in 0..table.rows.len() + 2 {
+        let cells: String = columns
             .iter()
-            .zip(&widths)
-            .zip(&table.columns)
-            .map(|((cell, &width), column)| {
-                let space = " ".repeat(width - length(cell));
-                match column.align {
-                    Align::Left => format!(" {cell}{space} |"),
-                    Align::Right => format!(" {space}{cell} |"),
-                }
-            });
-        text += &format!("|{}\n", cells.collect::<String>());
-        if number == 0 {
-            let rules =
-                widths
-                    .iter()
-                    .zip(&table.columns)
-                    .map(|(&width, column)| match column.align {
-                        Align::Left => format!(" {} |", "-".repeat(width)),
-                        Align::Right => format!(" {}: |", "-".repeat(width - 1)),
-                    });
-            text += &format!("|{}\n", rules.collect::<String>());
-        }
+            .map(|cells| format!(" {} |", cells[line]))
+            .collect();
+        text += &format!("|{cells}\n");
     }
     if !table.note.is_empty() {
         text += &format!("\n{}\n", paragraph(&table.note));
     }
     text
+}
+
+/// Heading, rule and cells of one column, all equally long.
+fn column(table: &Table, index: usize, pages: &Pages) -> Vec<String> {
+    let column = &table.columns[index];
+    let title = cell_text(&column.title);
+    let heading = match column.unit.as_str() {
+        "" => title,
+        unit => format!("{title} ({})", cell_text(unit)),
+    };
+    let mut cells = vec![heading];
+    for row in &table.rows {
+        cells.push(
+            row.get(index)
+                .map(|cell| linked(cell, pages))
+                .unwrap_or_default(),
+        );
+    }
+    let width = cells
+        .iter()
+        .map(|cell| length(cell))
+        .max()
+        .unwrap_or(0)
+        .max(3);
+    for cell in &mut cells {
+        let space = " ".repeat(width - length(cell));
+        *cell = match column.align {
+            Align::Left => format!("{cell}{space}"),
+            Align::Right => format!("{space}{cell}"),
+        };
+    }
+    let rule = match column.align {
+        Align::Left => "-".repeat(width),
+        Align::Right => format!("{}:", "-".repeat(width - 1)),
+    };
+    cells.insert(1, rule);
+    cells
 }
 
 /// A cell; a page as a link to its heading.

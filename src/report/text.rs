@@ -1,6 +1,6 @@
 //! Text for a terminal: aligned columns, units in the heading, never more than 100 columns, no colour.
 
-use super::cell::shown;
+use super::cell::{only_pictures, shown};
 use crate::finding::{Align, Block, Cell, Column, Document, Figure, Table};
 
 /// No line is longer, in characters.
@@ -77,7 +77,7 @@ pub fn table(table: &Table) -> String {
         text += "  (no rows)\n";
     }
     if !table.note.is_empty() {
-        text += &paragraph("", &table.note);
+        text += &format!("\n{}", paragraph("", &table.note));
     }
     text
 }
@@ -86,21 +86,11 @@ pub fn table(table: &Table) -> String {
 fn figure(figure: &Figure) -> String {
     let points: usize = figure.series.iter().map(|series| series.points.len()).sum();
     let words = format!(
-        "{}. {} ({points} points; the report, csv and json have them)",
+        "{}. {} ({points} points; the report and json have them)",
         figure.title.trim_end_matches('.'),
         figure.caption
     );
     paragraph("figure  ", &words)
-}
-
-/// True for a column of pictures, which have no place in text.
-fn only_pictures(table: &Table, index: usize) -> bool {
-    let mut cells = table
-        .rows
-        .iter()
-        .filter_map(|row| row.get(index))
-        .peekable();
-    cells.peek().is_some() && cells.all(|cell| matches!(cell, Cell::Picture(_)))
 }
 
 /// One column with the text of its cells and the widths that it can live with.
@@ -265,10 +255,28 @@ fn paragraph(bullet: &str, words: &str) -> String {
     text
 }
 
-/// A command, which stays one command when it is copied: long ones continue after a backslash.
+/// A command, which stays one command when it is copied: long ones continue after a backslash, at the margin within a word.
 fn shell(command: &str) -> String {
-    let lines = wrap(&clean(command), WIDTH - 8);
-    format!("    {}\n", lines.join(" \\\n      "))
+    const ROOM: usize = WIDTH - 8;
+    let mut text = "   ".to_owned();
+    let mut used = 0;
+    for word in clean(command).split(' ') {
+        if used > 0 && used + 1 + length(word) > ROOM {
+            text += " \\\n     ";
+            used = 0;
+        }
+        text.push(' ');
+        used += 1;
+        for c in word.chars() {
+            if used >= ROOM {
+                text += "\\\n";
+                used = 0;
+            }
+            text.push(c);
+            used += 1;
+        }
+    }
+    text + "\n"
 }
 
 /// Breaks at spaces into lines of at most `width` characters, and within words that are longer. One line at least.

@@ -47,7 +47,7 @@ fn random_scene(index: u64) -> Scene {
             placed.push(p);
         }
     }
-    if index % 3 == 0 {
+    if index.is_multiple_of(3) {
         scene = scene.duration(1.5);
     } else {
         scene = scene.cloth(draw.between(0.1, 0.4));

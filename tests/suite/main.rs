@@ -12,6 +12,7 @@ mod random;
 mod rapier;
 mod references;
 mod registries;
+mod report;
 mod scene_cli;
 mod scene_errors;
 mod scene_fuzz;

@@ -43,6 +43,24 @@ pub fn inline(words: &str) -> String {
     parts.iter().enumerate().map(part).collect()
 }
 
+/// The same words with numbers and their short units on one line: large type breaks early.
+pub fn together(words: &str) -> String {
+    let parts: Vec<&str> = words.split(' ').collect();
+    let mut text = String::new();
+    for (i, part) in parts.iter().enumerate() {
+        let before = i.checked_sub(1).and_then(|i| parts[i].chars().last());
+        let short = part.trim_end_matches(|c: char| c.is_ascii_punctuation());
+        let unit = short.chars().count() <= 2 && short.chars().all(char::is_alphabetic);
+        if before.is_some_and(|c| c.is_ascii_digit()) && unit && !short.is_empty() {
+            text.push('\u{a0}');
+        } else if i > 0 {
+            text.push(' ');
+        }
+        text += part;
+    }
+    text
+}
+
 fn table(table: &Table, name: &str, page: &Page, pages: &Pages) -> String {
     let title = if table.title.is_empty() {
         String::new()

@@ -74,7 +74,10 @@ fn page(pages: &Pages, index: usize) -> String {
     html += &contents;
     html += &format!("<main id=\"main\">\n<h1>{}</h1>\n", escape(&document.title));
     if !document.lead.is_empty() {
-        html += &format!("<p class=\"lead\">{}</p>\n", blocks::inline(&document.lead));
+        html += &format!(
+            "<p class=\"lead\">{}</p>\n",
+            blocks::inline(&blocks::together(&document.lead))
+        );
     }
     for (block, name) in document.blocks.iter().zip(&page.blocks) {
         html += &blocks::block(block, name, page, pages);

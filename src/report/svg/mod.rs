@@ -36,7 +36,7 @@ pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
     let (width, height) = (frame.width, frame.height);
     let words = |words: &str| escape(words);
     let mut svg = format!(
-        "<svg class=\"fig\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
+        "<svg class=\"fig\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
          role=\"img\" aria-labelledby=\"{anchor}-title {anchor}-what\"><title id=\"{anchor}-title\">{title}</title>\
          <desc id=\"{anchor}-what\">{what}</desc>",
         w = px(width),
@@ -56,6 +56,7 @@ pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
 /// A picture that stands alone in a file.
 pub fn standalone(figure: &Figure) -> String {
     let svg = draw(figure, "figure").svg;
+    let svg = svg.replacen("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ", 1);
     // opaque, or the text of a picture for the dark would be lost on a white page
     let style = format!(
         "<style>{STYLE}</style><rect width=\"100%\" height=\"100%\" fill=\"var(--paper)\"/>"
@@ -65,8 +66,8 @@ pub fn standalone(figure: &Figure) -> String {
 
 /// A picture for a row of a table: no axes, no words.
 pub fn thumbnail(figure: &Figure) -> String {
-    const WIDE: f64 = 132.0;
-    const HIGH: f64 = 70.0;
+    const WIDE: f64 = 116.0;
+    const HIGH: f64 = 64.0;
     let plane = Plane::of(figure);
     let (width, height) = if figure.equal_scale {
         plane.fitted(WIDE, HIGH)
@@ -75,7 +76,7 @@ pub fn thumbnail(figure: &Figure) -> String {
     };
     let plane = plane.placed(2.0, 2.0, width - 4.0, height - 4.0);
     let mut svg = format!(
-        "<svg class=\"fig thumb\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
+        "<svg class=\"fig thumb\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
          role=\"img\" aria-label=\"{title}\">",
         w = px(width),
         h = px(height),
@@ -126,13 +127,14 @@ fn described(figure: &Figure) -> String {
 
 /// What the picture does not show.
 fn remarks(figure: &Figure, frame: &frame::Frame) -> Vec<String> {
+    let (log_x, log_y) = logarithmic(figure);
     let points = || figure.series.iter().flat_map(|series| &series.points);
     let not_numbers = points()
         .filter(|p| !(p[0].is_finite() && p[1].is_finite()))
         .count();
     let not_positive = points()
         .filter(|p| p[0].is_finite() && p[1].is_finite())
-        .filter(|p| on_axis(p[0], figure.x.log).is_none() || on_axis(p[1], figure.y.log).is_none())
+        .filter(|p| on_axis(p[0], log_x).is_none() || on_axis(p[1], log_y).is_none())
         .count();
     let mut remarks = Vec::new();
     let are = |n: usize, what: &str| match n {
@@ -165,6 +167,12 @@ fn remarks(figure: &Figure, frame: &frame::Frame) -> Vec<String> {
     remarks
 }
 
+/// Which axes are logarithmic: in a picture of a table, none.
+fn logarithmic(figure: &Figure) -> (bool, bool) {
+    let plan = figure.equal_scale;
+    (figure.x.log && !plan, figure.y.log && !plan)
+}
+
 /// Both axes. A tall picture of a table lies on its side: y to the right, x downwards, which is a turn and no mirror image.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
@@ -176,6 +184,7 @@ struct Plane {
 impl Plane {
     /// The ranges that a figure needs, not yet on any paper.
     fn of(figure: &Figure) -> Plane {
+        let (log_x, log_y) = logarithmic(figure);
         let (mut x, mut y) = (Extent::NONE, Extent::NONE);
         let mut dots = false;
         for series in &figure.series {
@@ -185,22 +194,21 @@ impl Plane {
             };
             dots |= !matches!(series.style, Style::Line | Style::Dashed);
             for &[px, py] in &series.points {
-                if let (Some(px), Some(py)) = (on_axis(px, figure.x.log), on_axis(py, figure.y.log))
-                {
+                if let (Some(px), Some(py)) = (on_axis(px, log_x), on_axis(py, log_y)) {
                     for side in [-reach, reach] {
-                        x.add(px + side);
-                        y.add(py + side);
+                        x.add(if log_x { px } else { px + side });
+                        y.add(if log_y { py } else { py + side });
                     }
                 }
             }
         }
         for [px, py] in figure.outline.into_iter().flatten() {
-            x.add(px);
-            y.add(py);
+            x.add(on_axis(px, log_x).unwrap_or(f64::NAN));
+            y.add(on_axis(py, log_y).unwrap_or(f64::NAN));
         }
         let outlined = figure.outline.is_some();
         for mark in &figure.marks {
-            if let Some(at) = on_axis(mark.at, figure.x.log)
+            if let Some(at) = on_axis(mark.at, log_x)
                 && !x.is_empty()
                 && !outlined
             {
@@ -213,8 +221,8 @@ impl Plane {
                 extent.add(0.0);
             }
         };
-        from_zero(&mut x, figure.x.log, 0.1);
-        from_zero(&mut y, figure.y.log, 0.4);
+        from_zero(&mut x, log_x, 0.1);
+        from_zero(&mut y, log_y, 0.4);
         let widened = |extent: Extent, share: f64| {
             if outlined {
                 return extent.widened(0.0);
@@ -237,8 +245,8 @@ impl Plane {
         };
         Plane {
             on_its_side: figure.equal_scale && y.half() > 1.2 * x.half(),
-            x: scale(x, figure.x.log && !figure.equal_scale),
-            y: scale(y, figure.y.log && !figure.equal_scale),
+            x: scale(x, log_x),
+            y: scale(y, log_y),
         }
     }
 

@@ -69,7 +69,11 @@ pub fn logarithmic(range: Extent) -> Vec<Tick> {
     }
     let every = (decades / 7.0).ceil().max(1.0);
     let mut ticks = Vec::new();
-    let (first, last) = (range.lo.floor() as i32, range.hi.ceil() as i32);
+    // no f64 is beyond these
+    let (first, last) = (
+        range.lo.floor().max(-325.0) as i32,
+        range.hi.ceil().min(309.0) as i32,
+    );
     let plain = range.lo >= -2.5 && range.hi <= 4.5;
     for power in first..=last {
         let minor = if every > 1.0 || decades > 5.0 { 1 } else { 9 };

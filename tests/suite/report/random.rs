@@ -1,0 +1,133 @@
+//! Documents that no study would write.
+
+use carom::finding::{
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
+};
+use proptest::prelude::*;
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => any::<f64>(),
+        3 => -10.0..10.0f64,
+        1 => prop::sample::select(vec![0.0, -0.0, f64::NAN, f64::INFINITY, f64::MAX, f64::MIN, 5e-324]),
+    ]
+}
+
+fn words() -> impl Strategy<Value = String> {
+    prop_oneof![3 => "[a-z]{0,9}( [a-z]{1,9}){0,3}", 1 => ".{0,40}", 1 => "[<>&|`*_\\[\\]\"',\\\\\n-]{0,12}", 1 => "[a-z]{120}"]
+}
+
+fn figure() -> impl Strategy<Value = Figure> {
+    let axis = || {
+        (words(), words(), any::<bool>()).prop_map(|(label, unit, log)| Axis { label, unit, log })
+    };
+    let style = prop_oneof![
+        Just(Style::Line),
+        Just(Style::Dashed),
+        Just(Style::Points),
+        number().prop_map(Style::Discs)
+    ];
+    let points = prop::collection::vec([number(), number()], 0..12);
+    let series = (words(), points, style).prop_map(|(name, points, style)| Series {
+        name,
+        points,
+        style,
+    });
+    let mark = (number(), words()).prop_map(|(at, label)| Mark { at, label });
+    let outline = prop::option::of([[number(), number()], [number(), number()]]);
+    (
+        [words(), words(), words()],
+        [axis(), axis()],
+        any::<bool>(),
+        outline,
+        prop::collection::vec(series, 0..4),
+        prop::collection::vec(mark, 0..5),
+    )
+        .prop_map(
+            |([id, title, caption], [x, y], equal_scale, outline, series, marks)| Figure {
+                id,
+                title,
+                caption,
+                x,
+                y,
+                equal_scale,
+                outline,
+                series,
+                marks,
+            },
+        )
+}
+
+fn cell() -> impl Strategy<Value = Cell> {
+    let tone = prop::sample::select(vec![Tone::Good, Tone::Notice, Tone::Bad, Tone::Quiet]);
+    prop_oneof![
+        Just(Cell::Empty),
+        words().prop_map(Cell::Text),
+        number().prop_map(Cell::Number),
+        (number(), any::<u8>()).prop_map(|(x, digits)| Cell::Fixed(x, digits)),
+        any::<u64>().prop_map(Cell::Count),
+        (number(), words()).prop_map(|(x, owner)| Cell::Owned(x, owner)),
+        (tone, words()).prop_map(|(tone, words)| Cell::Verdict(tone, words)),
+        (words(), words()).prop_map(|(id, words)| Cell::Page(id, words)),
+        figure().prop_map(|figure| Cell::Picture(Box::new(figure))),
+    ]
+}
+
+fn table() -> impl Strategy<Value = Table> {
+    let align = prop::sample::select(vec![Align::Left, Align::Right]);
+    let column = (words(), words(), words(), align).prop_map(|(key, title, unit, align)| Column {
+        key,
+        title,
+        unit,
+        align,
+    });
+    let columns = prop::collection::vec(column, 0..14);
+    // rows of the wrong length too
+    let rows = prop::collection::vec(prop::collection::vec(cell(), 0..14), 0..4);
+    ([words(), words(), words()], columns, rows).prop_map(|([id, title, note], columns, rows)| {
+        Table {
+            id,
+            title,
+            columns,
+            rows,
+            note,
+        }
+    })
+}
+
+fn block() -> impl Strategy<Value = Block> {
+    prop_oneof![
+        words().prop_map(Block::Heading),
+        words().prop_map(Block::Text),
+        prop::collection::vec(words(), 0..3).prop_map(Block::List),
+        words().prop_map(Block::Command),
+        table().prop_map(Block::Table),
+        figure().prop_map(Block::Figure),
+    ]
+}
+
+/// A document with up to two pages, one of them deeper.
+pub fn document() -> impl Strategy<Value = Document> {
+    let page = || {
+        (
+            [words(), words(), words()],
+            prop::collection::vec(block(), 0..4),
+        )
+            .prop_map(|([id, title, lead], blocks)| Document {
+                id,
+                title,
+                lead,
+                blocks,
+                pages: Vec::new(),
+            })
+    };
+    (page(), page(), page(), 0..3).prop_map(|(mut first, mut second, third, depth)| {
+        if depth > 1 {
+            second.pages.push(third);
+        }
+        if depth > 0 {
+            first.pages.push(second);
+        }
+        first
+    })
+}
