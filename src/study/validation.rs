@@ -132,31 +132,47 @@ fn first_sentence(outcomes: &[Outcome]) -> String {
         pairs.len()
     );
     if !other.is_empty() {
-        let touching = other
-            .iter()
-            .filter(|(outcome, _)| outcome.reference.is_none())
-            .count();
-        let close = other
-            .iter()
-            .filter(|(_, pair)| matches!(pair.standing.cause, Some(Cause::Resolution { .. })))
-            .count();
-        sentence += &format!("; in the other {} they part", other.len());
-        let mut reasons = Vec::new();
-        if close > 0 {
-            reasons.push(format!(
-                "because hits fall closer together than a step resolves ({close})"
-            ));
+        let mut reasons: Vec<(String, usize)> = Vec::new();
+        for (outcome, _) in &other {
+            let reason = reason(outcome);
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((reason, 1)),
+            }
         }
-        if touching > 0 {
-            reasons.push(format!(
-                "where simultaneous hits leave no single right answer ({touching})"
-            ));
-        }
-        if !reasons.is_empty() {
-            sentence += &format!(", {}", reasons.join(" and "));
-        }
+        let reasons: Vec<String> = reasons
+            .into_iter()
+            .map(|(reason, count)| format!("{reason} ({count})"))
+            .collect();
+        sentence += &format!(
+            "; in the other {} they part: {}",
+            other.len(),
+            reasons.join(", ")
+        );
     }
     sentence + "."
+}
+
+/// Why the report's model and rapier part in a scene: what moved the first of them to leave the exact solution.
+fn reason(outcome: &Outcome) -> String {
+    if outcome.reference.is_none() {
+        return "simultaneous hits leave no single right answer".to_owned();
+    }
+    let rivals = outcome
+        .entries
+        .iter()
+        .filter(|e| [REPORTS_MODEL, RIVAL].contains(&e.label().as_str()));
+    let parted = rivals
+        .filter_map(|e| e.standing.as_ref())
+        .filter_map(|s| Some((s.order.parting.as_ref()?.time(), s)));
+    let first = parted.min_by(|a, b| a.0.total_cmp(&b.0));
+    match first.and_then(|(_, standing)| standing.cause.as_ref()) {
+        Some(Cause::Resolution { .. }) => {
+            "hits fall closer together than a step resolves".to_owned()
+        }
+        Some(Cause::Setting { what, .. }) => format!("{what} decides a hit"),
+        Some(Cause::Open { .. }) | None => "no single setting explains it".to_owned(),
+    }
 }
 
 /// The report's model against rapier, both at their defaults.
@@ -187,11 +203,6 @@ fn scene_table(outcomes: &[Outcome]) -> Table {
             .iter()
             .map(|label| TableColumn::words(&label.replace([' ', '='], "-"), label)),
     );
-    columns.push(TableColumn::number(
-        "worst",
-        "largest error of a final position (engine)",
-        "R",
-    ));
     let mut rows = Vec::new();
     for outcome in outcomes {
         let name = &outcome.scene.name;
@@ -243,7 +254,10 @@ fn verdict(outcome: &Outcome, entry: &compare::Entry) -> Cell {
     };
     let words = match standing.order.reference_collisions {
         0 => ends,
-        total => format!("{}/{total}, {ends}", standing.order.strict),
+        _ => format!(
+            "{}, {ends}",
+            compare::describe_order(&standing.order, standing.order.strict)
+        ),
     };
     Cell::Verdict(tone, words)
 }

@@ -54,7 +54,7 @@ impl Engine for Exact {
     }
 
     fn version(&self) -> String {
-        format!("carom exact {}", env!("CARGO_PKG_VERSION"))
+        format!("carom {}", env!("CARGO_PKG_VERSION"))
     }
 
     fn about(&self) -> About {

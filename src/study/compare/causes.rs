@@ -113,11 +113,15 @@ fn cause(
     if let Some(cause) = by_margin(parting, resolution) {
         return Some(cause);
     }
-    let wanted: Vec<EventKind> = reference
-        .collisions()
-        .take(parting.index + 1)
-        .map(|event| event.kind)
-        .collect();
+    // one more than agree: where the reference has nothing more, the engine may have nothing more either
+    let prefix = |trace: &Trace| -> Vec<EventKind> {
+        trace
+            .collisions()
+            .take(parting.index + 1)
+            .map(|event| event.kind)
+            .collect()
+    };
+    let wanted = prefix(reference);
     let remedies = column.engine.remedies(&column.setting);
     let columns: Vec<Column> = remedies
         .iter()
@@ -139,13 +143,7 @@ fn cause(
     );
     for ((what, setting), cell) in remedies.iter().zip(&cells) {
         let Ok(ran) = cell else { continue };
-        let got: Vec<EventKind> = ran
-            .trace
-            .collisions()
-            .take(wanted.len())
-            .map(|event| event.kind)
-            .collect();
-        if got == wanted {
+        if prefix(&ran.trace) == wanted {
             return Some(Cause::Setting {
                 what,
                 setting: setting.clone(),
@@ -165,6 +163,9 @@ fn by_margin(parting: &Parting, resolution: f64) -> Option<Cause> {
     (margin <= resolution).then_some(Cause::Resolution { margin, resolution })
 }
 
+/// Part of the time to the difference by which a rerun goes on after it: an event may come later there.
+const BEYOND: f64 = 0.1;
+
 /// The scene, ended a little after the later of the two events.
 fn up_to(scene: &Scene, parting: &Parting, resolution: f64) -> Scene {
     let times = [parting.event, parting.reference]
@@ -173,7 +174,7 @@ fn up_to(scene: &Scene, parting: &Parting, resolution: f64) -> Scene {
         .map(|event| event.time);
     let last = times.fold(0.0, f64::max);
     Scene {
-        duration: (last + 10.0 * resolution).min(scene.duration),
+        duration: (last * (1.0 + BEYOND) + 10.0 * resolution).min(scene.duration),
         ..scene.clone()
     }
 }

@@ -1,6 +1,8 @@
 //! The document of a comparison: what the terminal shows, and the page of a report.
 
-use super::words::{describe_ending, describe_event, describe_scene, describe_span};
+use super::words::{
+    describe_ending, describe_event, describe_order, describe_scene, describe_span,
+};
 use super::{Entry, Outcome, PairOutcome, Standing, figures, pair_label};
 use crate::engine::{Parameter, Role};
 use crate::finding::{Block, Cell, Column, Document, Table};
@@ -127,9 +129,10 @@ pub fn headline(outcome: &Outcome) -> String {
             None => groups.push((what, vec![entry.label()])),
         }
     }
-    let sentences = groups
-        .into_iter()
-        .map(|(what, labels)| format!("{} {what}", listed(&labels)));
+    let sentences = groups.into_iter().map(|(what, labels)| {
+        let ending = if labels.len() == 1 { "s" } else { "" };
+        format!("{} {}", listed(&labels), what.replace('~', ending))
+    });
     let mut sentences: Vec<String> = sentences.collect();
     if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
         sentences.push(format!("No single right answer: {why}"));
@@ -153,17 +156,22 @@ fn listed(words: &[String]) -> String {
     }
 }
 
-/// What an engine does to the exact order of collisions, as the rest of a sentence.
+/// What an engine does to the exact order of collisions, as the rest of a sentence; `~` stands for the s of one engine.
 fn behaviour(standing: &Standing) -> String {
     let total = standing.order.reference_collisions;
-    match (&standing.order.parting, total) {
-        (Some(parting), _) => format!(
-            "leave the exact order of collisions at event {} of {total}, t = {:.4} s",
+    match &standing.order.parting {
+        Some(parting) if parting.reference.is_none() => format!(
+            "keep~ the exact order of all {total} collisions and add~ {} from t = {:.4} s",
+            standing.order.collisions - total,
+            parting.time()
+        ),
+        Some(parting) => format!(
+            "leave~ the exact order of collisions at event {} of {total}, t = {:.4} s",
             parting.index + 1,
             parting.time()
         ),
-        (None, 0) => "have no collision, as exact".to_owned(),
-        (None, _) => format!("keep the exact order of all {total} collisions"),
+        None if total == 0 => "meet~ nothing, as exact".to_owned(),
+        None => format!("keep~ the exact order of all {total} collisions"),
     }
 }
 
@@ -238,7 +246,7 @@ fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
         let of_order = |count: fn(&Standing) -> usize| {
             let standing = entry.standing.as_ref();
             standing.map_or(Cell::Empty, |s| {
-                Cell::text(format!("{}/{}", count(s), s.order.reference_collisions))
+                Cell::text(describe_order(&s.order, count(s)))
             })
         };
         let plain = |metric| outcome.worst(&label, metric).map(|(value, _)| value);
@@ -253,7 +261,7 @@ fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
             Cell::maybe(ran.seconds.map(|s| s * 1e6)),
         ]);
     }
-    let note = "Differences from the reference. R: smallest radius; E0: initial energy; unexplained: motion between two \
+    let note = "Differences from the reference; +n: collisions that it does not have. R: smallest radius; E0: initial energy; unexplained: motion between two \
                 records that the events do not account for.";
     Table {
         id: "comparison".to_owned(),
@@ -409,8 +417,8 @@ fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
             Cell::text(label.clone()),
             owned(outcome.worst(&label, "stop-time")),
             scale.owned(outcome.worst(&label, "final-position")),
-            Cell::text(format!("{}/{}", order.strict, order.reference_collisions)),
-            Cell::text(format!("{}/{}", order.tolerant, order.reference_collisions)),
+            Cell::text(describe_order(order, order.strict)),
+            Cell::text(describe_order(order, order.tolerant)),
             Cell::text(part),
         ]);
     }

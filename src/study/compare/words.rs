@@ -1,5 +1,6 @@
 //! Scenes, events and endings in plain words.
 
+use crate::compare::Order;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
 
@@ -88,4 +89,13 @@ pub fn describe_span(seconds: f64) -> String {
         2
     };
     format!("{scaled:.digits$} {unit}")
+}
+
+/// `9/36`, and `5/5 +2` where all agree and the engine adds two of its own.
+pub fn describe_order(order: &Order, agreeing: usize) -> String {
+    let total = order.reference_collisions;
+    match order.collisions.saturating_sub(total) {
+        added if added > 0 && agreeing == total => format!("{total}/{total} +{added}"),
+        _ => format!("{agreeing}/{total}"),
+    }
 }
