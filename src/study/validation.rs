@@ -124,7 +124,7 @@ fn first_sentence(outcomes: &[Outcome]) -> String {
         .filter_map(|(_, pair)| pair.standing.final_position)
         .reduce(worse);
     let apart = farthest.map_or(String::new(), |r| {
-        format!(", with final positions up to {r:.2} R apart")
+        format!(", with final positions up to {r:.1} R apart")
     });
     let mut sentence = format!(
         "In {} of {} scenes the report's model and rapier have the same collisions in the same order{apart}",

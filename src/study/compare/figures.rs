@@ -21,7 +21,7 @@ pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
     );
     let mut figure = table_picture(scene, trace, &id);
     figure.title = format!("Paths: {label}");
-    figure.caption = "From the start (dotted circles) to the end (full circles).".to_owned();
+    figure.caption = "Circles: where the balls ended.".to_owned();
     Some(figure)
 }
 
