@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 mod architecture;
+mod claims;
 mod cli;
+mod compare;
 mod contract;
 mod exact;
 mod exact_endings;
