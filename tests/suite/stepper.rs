@@ -239,3 +239,81 @@ fn number_of_allocations_does_not_depend_on_the_number_of_steps() {
         "{coarse} allocations in {few} steps, {fine} in {many}"
     );
 }
+
+#[test]
+fn with_a_contact_time_the_launch_does_not_depend_on_the_step() {
+    let scene = carom::scene::catalogue::scene("report-break").unwrap();
+    for dt in [1.0 / 30.0, 1e-3, 1e-5] {
+        let trace = run("stepper", &[&with_dt(dt)], &scene, Record::Final);
+        // F t / m, the same three numbers in the same order
+        assert_eq!(
+            trace.paths[0].knots[0].state.speed(),
+            scene.largest_speed(),
+            "dt {dt}"
+        );
+        assert!(
+            (scene.largest_speed() - 108.0 * 0.01 / 0.107).abs() < 1e-14 * 10.1,
+            "{}",
+            scene.largest_speed()
+        );
+    }
+}
+
+#[test]
+fn free_flight_in_a_box_is_the_unfolded_straight_line_up_to_a_step_at_each_wall() {
+    let (v, t, size) = ([3.0, 1.7], 10.0, [4.0, 7.0]);
+    let scene = scenario("box")
+        .moving("cue", [1.0, 2.0], v)
+        .cushions(size[0], size[1])
+        .duration(t)
+        .build();
+    for dt in [1e-2, 1e-3] {
+        let trace = run("stepper", &[&with_dt(dt)], &scene, Record::Events);
+        let end = trace.final_states()[0].unwrap().position;
+        for axis in 0..2 {
+            let reach = size[axis] - 2.0 * R;
+            let start = scene.balls[0].state.position[axis] - R;
+            let unfolded = (start + v[axis] * t).rem_euclid(2.0 * reach);
+            let folded = R + if unfolded > reach {
+                2.0 * reach - unfolded
+            } else {
+                unfolded
+            };
+            // each bounce starts at the wall up to a step late, and loses what the ball was beyond it
+            let bounces = ((start + v[axis] * t) / reach).ceil();
+            let bound = bounces * 2.0 * v[axis] * dt;
+            let error = (end[axis] - folded).abs();
+            assert!(
+                error <= bound,
+                "dt {dt}, axis {axis}: {error:e} off, bound {bound:e}"
+            );
+        }
+        assert_eq!(trace.end_time, (t / dt).round() * dt);
+    }
+}
+
+#[test]
+fn equal_balls_part_at_a_right_angle() {
+    for offset in [0.1, 0.3, 0.5, 0.7, 0.9] {
+        let scene = scenario("cut")
+            .moving("a", [0.0, 0.0], [3.0, 0.0])
+            .resting("b", [2.0, 2.0 * R * offset])
+            .duration(1.0)
+            .build();
+        let trace = run(
+            "stepper",
+            &["contact=approaching-only"],
+            &scene,
+            Record::Events,
+        );
+        let end = trace.final_states();
+        let (a, b) = (end[0].unwrap().velocity, end[1].unwrap().velocity);
+        assert!(b.norm() > 0.1, "offset {offset}: no hit");
+        // whatever the normal at the step of the hit, an exchange leaves orthogonal velocities up to rounding
+        assert!(
+            a.dot(&b).abs() < 1e-14 * 9.0,
+            "offset {offset}: {:e}",
+            a.dot(&b)
+        );
+    }
+}
