@@ -6,6 +6,7 @@ use super::predict::Near;
 use super::simultaneous::Cluster;
 use super::solve::Loop;
 use crate::math::Real;
+use crate::scene::Simultaneous;
 use crate::trace::Ending;
 
 /// Impacts at one instant whose order decides the result.
@@ -102,9 +103,15 @@ impl<T: Real> Loop<'_, T> {
         if doubt.happened {
             record(self);
         }
+        let hint = match self.solver.scene.simultaneous {
+            Simultaneous::Ensemble => {
+                "; the scene asks for an ensemble of small gaps, which `carom ensemble` draws"
+            }
+            Simultaneous::Refuse | Simultaneous::GeneralizedReflections => "",
+        };
         Some(Ending::Indeterminate(self.spot(
             &doubt.balls,
-            "several impacts at one instant: their order decides the result",
+            &format!("several impacts at one instant: their order decides the result{hint}"),
         )))
     }
 
