@@ -158,11 +158,6 @@ impl<'s> Walk<'s> {
         if words.contains(&word.as_ref()) {
             return;
         }
-        if let Some(what) = self.reserved_at(&format!("{path}={word}")) {
-            let message = format!("{path} = \"{word}\" is reserved for something not built yet");
-            let help = format!("it will be: {what}; built so far: {all}");
-            return self.report(Kind::NotBuilt, value.span(), message, help);
-        }
         let message = format!("unknown word \"{word}\" for {}", last(path));
         let help = with_guess(word, words.iter().copied(), &format!("known are {all}"));
         self.report(Kind::WrongType, value.span(), message, help);

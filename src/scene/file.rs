@@ -204,10 +204,10 @@ pub enum ShotFile {
     },
 }
 
-/// A key or word of the format that is reserved and not built yet.
+/// A key of the format that is reserved and not built yet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reserved {
-    /// Path of the key; a word is written after `=`.
+    /// Path of the key.
     pub path: String,
     /// What it will do.
     pub what: &'static str,
@@ -222,24 +222,10 @@ pub fn reserved() -> Vec<Reserved> {
             what: effect.what,
         })
         .collect();
-    let others = [
-        (
-            "shot.strike",
-            "a cue with side, top and elevation that strikes the ball",
-        ),
-        (
-            "simultaneous=generalized-reflections",
-            "touching balls reflected together until none approach",
-        ),
-        (
-            "simultaneous=ensemble",
-            "touching balls as the limit of many small gaps",
-        ),
-    ];
-    all.extend(others.map(|(path, what)| Reserved {
-        path: path.to_owned(),
-        what,
-    }));
+    all.push(Reserved {
+        path: "shot.strike".to_owned(),
+        what: "a cue with side, top and elevation that strikes the ball",
+    });
     all
 }
 

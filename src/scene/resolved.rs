@@ -136,6 +136,10 @@ pub enum Simultaneous {
     /// End the run as indeterminate and say where: there is no unique answer.
     #[default]
     Refuse,
+    /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012).
+    GeneralizedReflections,
+    /// A single run ends as with `refuse`; `carom ensemble` draws small gaps and answers with a distribution.
+    Ensemble,
 }
 
 impl Scene {

@@ -120,7 +120,7 @@ const CASES: &[Case] = &[
     case(Kind::NotBuilt, "a group of laws", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.friction.alciatore]", (20, 19)),
     case(Kind::NotBuilt, "pockets", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.pockets]", (20, 10)),
     case(Kind::NotBuilt, "a strike", "[shot.velocity]", "[shot.strike]", (13, 7)),
-    case(Kind::NotBuilt, "a convention for touching balls", "duration = 5.0", "simultaneous = \"generalized-reflections\"\nduration = 5.0", (2, 16)),
+    case(Kind::WrongType, "a convention for touching balls that nobody knows", "duration = 5.0", "simultaneous = \"generalised-reflections\"\nduration = 5.0", (2, 16)),
     case(Kind::BadName, "a scene", "name = \"shot\"", "name = \"My first shot!\"", (1, 8)),
     case(Kind::BadName, "a richer scene", "duration = 5.0", "richer = \"rolling_ball\"\nduration = 5.0", (2, 10)),
     case(Kind::BadName, "a richer scene that is itself", "duration = 5.0", "richer = \"shot\"\nduration = 5.0", (2, 10)),

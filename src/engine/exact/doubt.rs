@@ -6,6 +6,7 @@ use super::predict::Near;
 use super::simultaneous::Cluster;
 use super::solve::Loop;
 use crate::math::Real;
+use crate::scene::Simultaneous;
 use crate::trace::Ending;
 
 /// Impacts at one instant whose order decides the result.
@@ -16,10 +17,20 @@ pub struct Doubt {
     pub happened: bool,
 }
 
+/// What an impact is, once everything within its reach has been looked at.
+pub enum Outcome {
+    /// Nothing else has a say: it stands.
+    Alone,
+    /// Its order among others decides the result.
+    InDoubt(Doubt),
+    /// It was one of several that were resolved, and recorded, together; and whether that ends the run.
+    Together(Option<Ending>),
+}
+
 impl<T: Real> Loop<'_, T> {
     /// Something else is within reach of an impact: does the order matter?
     #[cold]
-    pub fn doubt(&mut self, sides: &[Party<T>], window: T) -> Option<Doubt> {
+    pub fn doubt(&mut self, sides: &[Party<T>], window: T) -> Outcome {
         let near = std::mem::take(&mut self.notes.near);
         let live = |velocity: &dyn Fn(usize) -> [T; 2]| {
             let closes = |near: &&Near| self.closes(near, velocity, window);
@@ -31,36 +42,51 @@ impl<T: Real> Loop<'_, T> {
             side.map_or_else(|| now(ball), |side| side.before)
         };
         let (before, after) = (live(&earlier), live(&now));
-        if before == 0 && after < 2 {
-            return None;
+        let together = match self.solver.scene.simultaneous {
+            Simultaneous::GeneralizedReflections => true,
+            Simultaneous::Refuse | Simultaneous::Ensemble => false,
+        };
+        // a chain of single impacts has one order only; the convention takes it whole
+        let enough = if together { 1 } else { 2 };
+        if before == 0 && after < enough {
+            return Outcome::Alone;
         }
         let n = self.versions.len();
         let positions: Vec<_> = (0..n)
             .map(|i| self.solver.flights[i].at(self.now).0)
             .collect();
-        let velocities: Vec<_> = if before > 0 {
+        let velocities: Vec<_> = if before > 0 || together {
             (0..n).map(earlier).collect()
         } else {
             (0..n).map(now).collect()
         };
         let seeds: Vec<usize> = sides.iter().map(|side| side.ball).collect();
+        if together {
+            self.take_back(sides);
+            return Outcome::Together(self.shock(&seeds, &positions, &velocities, window));
+        }
         let cluster = Cluster::around(&self.solver.world, &seeds, &positions, &velocities, window);
         if !cluster.order_matters() {
-            return None;
+            return Outcome::Alone;
         }
         let balls = cluster.balls;
         if before > 0 {
-            // the impact itself is in doubt: take it back
-            for side in sides {
-                self.moving += usize::from(side.flight.moves());
-                self.moving -= usize::from(self.solver.flights[side.ball].moves());
-                self.solver.flights[side.ball] = side.flight;
-            }
+            // the impact itself is in doubt
+            self.take_back(sides);
         }
-        Some(Doubt {
+        Outcome::InDoubt(Doubt {
             balls,
             happened: before == 0,
         })
+    }
+
+    /// Undoes an impact: its balls are on the flights that led to it.
+    fn take_back(&mut self, sides: &[Party<T>]) {
+        for side in sides {
+            self.moving += usize::from(side.flight.moves());
+            self.moving -= usize::from(self.solver.flights[side.ball].moves());
+            self.solver.flights[side.ball] = side.flight;
+        }
     }
 
     /// True if a neighbour is reached within the window, at the velocities given.
@@ -102,9 +128,15 @@ impl<T: Real> Loop<'_, T> {
         if doubt.happened {
             record(self);
         }
+        let hint = match self.solver.scene.simultaneous {
+            Simultaneous::Ensemble => {
+                "; the scene asks for an ensemble of small gaps, which `carom ensemble` draws"
+            }
+            Simultaneous::Refuse | Simultaneous::GeneralizedReflections => "",
+        };
         Some(Ending::Indeterminate(self.spot(
             &doubt.balls,
-            "several impacts at one instant: their order decides the result",
+            &format!("several impacts at one instant: their order decides the result{hint}"),
         )))
     }
 

@@ -2,7 +2,7 @@
 //!
 //! This is the cold side of the loop: it runs once an event and is never inlined into the search for the next one.
 
-use super::doubt::Doubt;
+use super::doubt::Outcome;
 use super::flight::Flight;
 use super::predict::Near;
 use super::solve::Loop;
@@ -10,10 +10,6 @@ use crate::math::Real;
 use crate::physics::{Body, Contact, Cushion, Motion, Side, contact, cushion};
 use crate::trace::Ending;
 use nalgebra::Vector3;
-
-/// Impacts of one ball at one instant beyond which it counts as collapsed. Elastic balls can need many (a light ball between two
-/// heavy ones), but no finite cluster of a real scene comes near it.
-const MOST_IMPACTS_AT_ONCE: u32 = 10_000;
 
 /// A velocity that an impact cancels down to this many ulps of what was cancelled is zero.
 const CANCELLED: f64 = 8.0;
@@ -46,7 +42,7 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// A ball as it is when an event reaches it.
-    fn arrival(&self, ball: usize) -> Party<T> {
+    pub fn arrival(&self, ball: usize) -> Party<T> {
         let flight = self.solver.flights[ball];
         let (position, before) = flight.at(self.now);
         Party {
@@ -92,11 +88,16 @@ impl<T: Real> Loop<'_, T> {
             return Some(ending);
         }
         let window = self.solver.world.time_error(self.now, closing) * T::lift(2.0);
-        if let Some(ending) = self.commit(&[one, other], Near::Pair(a, b), window) {
-            return self.indeterminate(ending, |run| run.record_pair(&one, &other, apart));
+        match self.commit(&[one, other], Near::Pair(a, b), window) {
+            Outcome::Alone => {
+                self.record_pair(&one, &other, apart);
+                None
+            }
+            Outcome::InDoubt(doubt) => {
+                self.indeterminate(doubt, |run| run.record_pair(&one, &other, apart))
+            }
+            Outcome::Together(ending) => ending,
         }
-        self.record_pair(&one, &other, apart);
-        None
     }
 
     /// A ball meets a cushion.
@@ -115,19 +116,36 @@ impl<T: Real> Loop<'_, T> {
         }
         let closing = one.before[side.axis()].abs();
         let window = self.solver.world.time_error(self.now, closing) * T::lift(2.0);
-        if let Some(ending) = self.commit(&[one], Near::Cushion(a, side), window) {
-            return self.indeterminate(ending, |run| run.record_cushion(&one, side));
+        match self.commit(&[one], Near::Cushion(a, side), window) {
+            Outcome::Alone => {
+                self.record_cushion(&one, side);
+                None
+            }
+            Outcome::InDoubt(doubt) => {
+                self.indeterminate(doubt, |run| run.record_cushion(&one, side))
+            }
+            Outcome::Together(ending) => ending,
         }
-        self.record_cushion(&one, side);
-        None
     }
 
-    /// Puts the balls of an impact on their new flights and predicts their next events. Answers when the order of
-    /// impacts at this instant would decide the result.
-    fn commit(&mut self, sides: &[Party<T>], known: Near, window: T) -> Option<Doubt> {
+    /// Puts the balls of an impact on their new flights and predicts their next events. Answers whether other impacts at
+    /// this instant have a say in it.
+    fn commit(&mut self, sides: &[Party<T>], known: Near, window: T) -> Outcome {
         let watch = self.solver.world.touching + self.solver.world.fastest * window;
         self.notes.watch = Some(watch);
         self.notes.near.clear();
+        self.notes.known = Some(known);
+        self.depart(sides);
+        self.notes.watch = None;
+        self.notes.known = None;
+        if self.notes.near.is_empty() {
+            return Outcome::Alone;
+        }
+        self.doubt(sides, window)
+    }
+
+    /// Puts balls on their flights after an impact and predicts their next events.
+    pub fn depart(&mut self, sides: &[Party<T>]) {
         for side in sides {
             let flight = Flight::new(
                 self.solver.world.ground,
@@ -136,43 +154,22 @@ impl<T: Real> Loop<'_, T> {
                 side.after,
             );
             self.moving += usize::from(flight.moves());
-            self.moving -= usize::from(side.flight.moves());
+            self.moving -= usize::from(self.solver.flights[side.ball].moves());
             self.solver.flights[side.ball] = flight;
             self.versions[side.ball] = self.versions[side.ball].wrapping_add(1);
         }
         let all = 0..self.versions.len();
         for (i, side) in sides.iter().enumerate() {
-            self.notes.known = Some(known);
             // the pair itself belongs to the row of the first
             let skip = if i == 0 { usize::MAX } else { sides[0].ball };
             self.predict(side.ball, all.clone(), skip);
         }
-        self.notes.watch = None;
-        self.notes.known = None;
-        if self.notes.near.is_empty() {
-            return None;
-        }
-        self.doubt(sides, window)
     }
 
-    /// Counts impacts of a ball while no time passes; answers when there are too many to be finite.
-    fn streak(&mut self, balls: &[usize]) -> Option<Ending> {
-        let resolution = self.now * T::lift(16.0 * T::ULP);
-        for ball in balls {
-            let (since, count) = &mut self.streaks[*ball];
-            if self.now - *since > resolution {
-                *since = self.now;
-                *count = 0;
-            }
-            *count += 1;
-            if *count > MOST_IMPACTS_AT_ONCE {
-                return Some(Ending::Collapsed(self.spot(
-                    balls,
-                    &format!("more than {MOST_IMPACTS_AT_ONCE} impacts without time passing"),
-                )));
-            }
-        }
-        None
+    /// Counts impacts of balls while no time passes; answers when there are too many to be finite.
+    pub fn streak(&mut self, balls: &[usize]) -> Option<Ending> {
+        let collapsed = self.streaks.count(balls, self.now)?;
+        Some(Ending::Collapsed(self.spot(balls, &collapsed)))
     }
 }
 
@@ -212,6 +209,6 @@ fn settled<T: Real>(before: [T; 2], motion: &Motion<T>) -> [T; 2] {
     }
 }
 
-fn finite<T: Real>(side: &Party<T>) -> bool {
+pub fn finite<T: Real>(side: &Party<T>) -> bool {
     (side.after[0] + side.after[1] + side.position[0] + side.position[1]).is_finite()
 }

@@ -5,7 +5,9 @@
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
 //! - `queue`: which ball is next.
 //! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
-//! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters.
+//! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
+//!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
+//! - `collapse`: when impacts without time passing are too many to be finite.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
@@ -14,12 +16,15 @@
 //! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod collapse;
 mod doubt;
 pub mod flight;
 mod impact;
 mod predict;
 mod queue;
 mod record;
+mod reflections;
+mod shock;
 mod simultaneous;
 mod solve;
 mod world;
@@ -32,7 +37,7 @@ use super::{
 use crate::math::Real;
 use crate::physics::invariants::{Invariant, kinetic_energy};
 use crate::physics::{Cloth, Contact, Cushion};
-use crate::scene::{Ball, Scene};
+use crate::scene::{Ball, Scene, Simultaneous};
 use crate::trace::{Provenance, Record, Trace};
 use flight::Ground;
 use schemars::JsonSchema;
@@ -88,7 +93,6 @@ impl Engine for Exact {
         let mut promised = vec![
             Invariant::Finite,
             Invariant::Momentum,
-            Invariant::ImpactEnergy,
             Invariant::EnergyNeverGrows,
             Invariant::Bounds,
             Invariant::Overlap,
@@ -98,6 +102,13 @@ impl Engine for Exact {
             Invariant::QuarterTurn,
             Invariant::Scaling,
         ];
+        match scene.simultaneous {
+            Simultaneous::Refuse | Simultaneous::Ensemble => {
+                promised.push(Invariant::ImpactEnergy);
+            }
+            // several impacts share an instant: their sum keeps the energy, one of them may not
+            Simultaneous::GeneralizedReflections => {}
+        }
         let world = World::<f64>::new(scene);
         match world.ground {
             // d/dt sqrt(E) is at most -mu g sqrt(m/2) with the lightest mass while anything moves

@@ -17,6 +17,46 @@ impl<T: Real> Loop<'_, T> {
 
     /// An impact of two balls, whose centres were `apart`.
     pub fn record_pair(&mut self, one: &Party<T>, other: &Party<T>, apart: T) {
+        let gained = self.gain(one) + self.gain(other);
+        let time = self.now.to_f64();
+        self.recorder
+            .energy_change(time, gained, one.ball, Some(other.ball));
+        self.record_exchange(one, other, apart);
+        self.record_stop(one, one.flight.moves());
+        self.record_stop(other, other.flight.moves());
+    }
+
+    /// An impact on a cushion.
+    pub fn record_cushion(&mut self, one: &Party<T>, side: Side) {
+        let gained = self.gain(one);
+        self.recorder
+            .energy_change(self.now.to_f64(), gained, one.ball, None);
+        self.record_edge(one, side);
+        self.record_stop(one, one.flight.moves());
+    }
+
+    /// The energy of an instant at which several contacts were resolved together, booked as one change.
+    pub fn record_shock_energy(&mut self, parties: &[Party<T>]) {
+        let gained: f64 = parties.iter().map(|party| self.gain(party)).sum();
+        if let Some(first) = parties.first() {
+            self.recorder
+                .energy_change(self.now.to_f64(), gained, first.ball, None);
+        }
+    }
+
+    /// One contact of two balls out of several at this instant: all but energy and stops.
+    pub fn record_contact(&mut self, one: &Party<T>, other: &Party<T>) {
+        let x = other.position[0] - one.position[0];
+        let y = other.position[1] - one.position[1];
+        self.record_exchange(one, other, (x * x + y * y).sqrt());
+    }
+
+    /// A ball that an instant with several contacts brought to rest.
+    pub fn record_rest(&mut self, side: &Party<T>) {
+        self.record_stop(side, true);
+    }
+
+    fn record_exchange(&mut self, one: &Party<T>, other: &Party<T>, apart: T) {
         let (a, b) = (one.ball, other.ball);
         let time = self.now.to_f64();
         let ((a0, a1), (b0, b1)) = (self.both(one), self.both(other));
@@ -31,20 +71,15 @@ impl<T: Real> Loop<'_, T> {
             self.solver.scene.balls[a].mass,
             self.solver.scene.balls[b].mass,
         );
-        let energy = |state: &State, mass: f64| kinetic_energy(state, mass, None);
-        let gained = (energy(&a1, ma) - energy(&a0, ma)) + (energy(&b1, mb) - energy(&b0, mb));
-        self.recorder.energy_change(time, gained, a, Some(b));
         let change =
             (momentum(&a1, ma) - momentum(&a0, ma)) + (momentum(&b1, mb) - momentum(&b0, mb));
         self.recorder.momentum_error(time, change.norm(), a, b);
         let overlap = self.solver.world.distance(a, b) - apart;
         self.recorder.overlap(time, overlap.to_f64(), a, b);
-        self.record_stop(one, time);
-        self.record_stop(other, time);
     }
 
-    /// An impact on a cushion.
-    pub fn record_cushion(&mut self, one: &Party<T>, side: Side) {
+    /// An impact on a cushion: all but energy and stops.
+    pub fn record_edge(&mut self, one: &Party<T>, side: Side) {
         let a = one.ball;
         let time = self.now.to_f64();
         let (before, after) = self.both(one);
@@ -53,19 +88,23 @@ impl<T: Real> Loop<'_, T> {
         let kind = EventKind::BallCushion(a as u32, side);
         let event = self.recorder.event(time, kind, Some(1));
         self.recorder.jump(a, time, &before, &after, event);
-        let mass = self.solver.scene.balls[a].mass;
-        let gained = kinetic_energy(&after, mass, None) - kinetic_energy(&before, mass, None);
-        self.recorder.energy_change(time, gained, a, None);
         let beyond = one.position[side.axis()] - self.solver.world.reach[a][side as usize];
         let beyond = if side.sign() < 0 { -beyond } else { beyond };
         self.recorder.outside(time, beyond.to_f64(), a);
-        self.record_stop(one, time);
     }
 
-    /// A moving ball that an impact brought to rest.
-    fn record_stop(&mut self, side: &Party<T>, time: f64) {
+    /// Change of a ball's kinetic energy.
+    fn gain(&self, side: &Party<T>) -> f64 {
+        let mass = self.solver.scene.balls[side.ball].mass;
+        let (before, after) = self.both(side);
+        kinetic_energy(&after, mass, None) - kinetic_energy(&before, mass, None)
+    }
+
+    /// A ball that an impact brought to rest, if it `moved` before.
+    fn record_stop(&mut self, side: &Party<T>, moved: bool) {
         let zero = [T::zero(); 2];
-        if side.flight.moves() && side.before != zero && side.after == zero {
+        if moved && side.before != zero && side.after == zero {
+            let time = self.now.to_f64();
             let at_rest = self.solver.state(side.ball, side.position, zero);
             self.counts.events += 1;
             self.recorder.stop(side.ball, time, &at_rest, &at_rest);

@@ -3,8 +3,10 @@
 //! A ball that approaches two others which it touches, or reaches within the error of the time, is hit by both "at once".
 //! Processing the pairs one after another is an answer only if every order gives the same one: always so in a straight
 //! line of equal balls or for contacts at right angles, never so in the apex of a rack. This room tries the orders on the
-//! cluster of touching balls with positions held still, and says whether they agree.
+//! cluster of touching balls with positions held still, and says whether they agree. What a scene's convention makes of
+//! such an instant is in `reflections`.
 
+use super::reflections::Constraint;
 use super::world::World;
 use crate::math::Real;
 use crate::physics::{Body, Motion, Side, contact, cushion};
@@ -18,7 +20,7 @@ const ROUNDINGS: f64 = 64.0;
 
 /// Two parties within reach of each other.
 #[derive(Clone, Copy, Debug)]
-enum Touch<T: Real> {
+pub enum Touch<T: Real> {
     /// Two members of the cluster, and the normal from the first to the second.
     Pair(usize, usize, Vector3<T>),
     /// A member and a cushion.
@@ -28,11 +30,14 @@ enum Touch<T: Real> {
 /// Balls that touch, directly or through others, at one instant.
 #[derive(Debug)]
 pub struct Cluster<'a, T: Real> {
-    world: &'a World<T>,
+    /// Laws, masses and what the scalar can tell apart.
+    pub world: &'a World<T>,
     /// Indices in scene order.
     pub balls: Vec<usize>,
-    velocities: Vec<[T; 2]>,
-    touches: Vec<Touch<T>>,
+    /// Velocities of the members.
+    pub velocities: Vec<[T; 2]>,
+    /// Who is within reach of whom, by member (position in `balls`).
+    pub touches: Vec<Touch<T>>,
 }
 
 /// Velocity `v` of two components as a law wants it.
@@ -117,6 +122,33 @@ impl<'a, T: Real> Cluster<'a, T> {
         })
     }
 
+    /// The contacts as bounds on velocities, in the order of `touches`.
+    pub fn constraints(&self) -> Vec<Constraint<T>> {
+        let bound = |touch: &Touch<T>| match *touch {
+            Touch::Pair(a, b, n) => Constraint {
+                first: (a, [n.x, n.y]),
+                second: Some((b, [-n.x, -n.y])),
+            },
+            Touch::Cushion(a, side) => {
+                let mut outward = [T::zero(); 2];
+                outward[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
+                Constraint {
+                    first: (a, outward),
+                    second: None,
+                }
+            }
+        };
+        self.touches.iter().map(bound).collect()
+    }
+
+    /// Masses of the members.
+    pub fn masses(&self) -> Vec<T> {
+        self.balls
+            .iter()
+            .map(|ball| self.world.mass[*ball])
+            .collect()
+    }
+
     /// True unless every order of the impacts leaves the same velocities, up to rounding.
     pub fn order_matters(&self) -> bool {
         let mut search = Search {
@@ -161,7 +193,8 @@ impl<'a, T: Real> Cluster<'a, T> {
         }
     }
 
-    fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]]) {
+    /// One impact by its law.
+    pub fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]]) {
         let world = self.world;
         let body = |member: usize| Body {
             velocity: spatial(velocities[member]),

@@ -3,6 +3,7 @@
 //! Only the balls of an event are touched. Every other ball stays where its own last event left it, so nothing is
 //! accumulated. The loop never decides what the scalar cannot tell: it ends with the reason instead.
 
+use super::collapse::Streaks;
 use super::flight::{Flight, Phase, state};
 use super::predict::{Notes, View};
 use super::queue::{Candidate, Queue, What};
@@ -66,7 +67,7 @@ impl<'a, T: Real> Solver<'a, T> {
             },
             now: T::zero(),
             moving: self.flights.iter().filter(|f| f.moves()).count(),
-            streaks: vec![(T::zero(), 0); n],
+            streaks: Streaks::new(n),
             recorder,
             counts: Counts::default(),
             solver: self,
@@ -101,8 +102,8 @@ pub struct Loop<'a, T: Real> {
     pub now: T,
     /// Balls in motion.
     pub moving: usize,
-    /// For each ball: since when, and how often, it was hit without time passing.
-    pub streaks: Vec<(T, u32)>,
+    /// How often each ball was hit without time passing.
+    pub streaks: Streaks<T>,
     /// The trace.
     pub recorder: Recorder,
     /// Work done.

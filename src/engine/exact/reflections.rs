@@ -1,0 +1,354 @@
+//! Generalised reflections: several contacts at one instant, resolved together (Smith, Kaufman, Vouga, Tamstorf and Grinspun 2012,
+//! "Reflections on simultaneous impact").
+//!
+//! All contacts that approach are taken together as one set of constraints. In the metric of the masses, the velocity is
+//! reflected off the nearest velocity that none of them forbids: `v+ = 2 c - v`, `c` the projection of `v` onto the cone
+//! `closing <= 0`. A projection onto a cone is at right angles to what it removes, so `|v+| = |v|`: kinetic energy is kept; every
+//! impulse acts along a normal on both parties, so momentum is. The projection is unique, so mirror images and other orders
+//! of the balls give the same answer up to rounding. The reflection can make further contacts approach (the next ball of a
+//! cradle); they are reflected in the next pass, until none approaches.
+//!
+//! It is a convention, not the truth about touching balls: real ones deform, and which of them separate first depends on
+//! how. A scene has to name it.
+//!
+//! Contacts that share no ball do not see each other and are solved apart, and one alone is left to its law: in a cradle the
+//! exchange of equal masses stays exact to the bit.
+
+use super::simultaneous::Cluster;
+use crate::math::Real;
+use crate::physics::{Contact, Cushion};
+
+/// Passes before the answer is that they never end. A light ball between heavy ones needs many, a rack a few dozen.
+const MOST_PASSES: u32 = 10_000;
+
+/// A velocity smaller than this many ulps of the cluster's largest speed, for each impulse, is zero.
+const CANCELLED: f64 = 8.0;
+
+/// A contact as a bound on velocities: its closing speed is the sum of `direction . velocity` over its members.
+#[derive(Clone, Copy, Debug)]
+pub struct Constraint<T> {
+    /// A member of the cluster, and the direction in which it closes (unit).
+    pub first: (usize, [T; 2]),
+    /// The other one; none for a cushion.
+    pub second: Option<(usize, [T; 2])>,
+}
+
+impl<T: Real> Constraint<T> {
+    fn ends(&self) -> impl Iterator<Item = (usize, [T; 2])> {
+        std::iter::once(self.first).chain(self.second)
+    }
+
+    /// The members that it bounds, one or two.
+    pub fn members(&self) -> impl Iterator<Item = usize> {
+        self.ends().map(|(member, _)| member)
+    }
+
+    /// Closing speed, length/s; positive while they approach.
+    pub fn closing(&self, velocities: &[[T; 2]]) -> T {
+        self.ends().fold(T::zero(), |sum, (member, d)| {
+            let v = velocities[member];
+            sum + d[0] * v[0] + d[1] * v[1]
+        })
+    }
+
+    /// Changes velocities by an impulse against the closing direction.
+    pub fn push(&self, impulse: T, mass: &[T], velocities: &mut [[T; 2]]) {
+        for (member, d) in self.ends() {
+            for axis in 0..2 {
+                velocities[member][axis] -= d[axis] * impulse / mass[member];
+            }
+        }
+    }
+
+    /// By how much a unit impulse at `other` lowers the closing speed here.
+    fn coupling(&self, other: &Self, mass: &[T]) -> T {
+        let mut sum = T::zero();
+        for (member, d) in self.ends() {
+            for (one, e) in other.ends() {
+                if one == member {
+                    sum += (d[0] * e[0] + d[1] * e[1]) / mass[member];
+                }
+            }
+        }
+        sum
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        self.members()
+            .any(|member| other.members().any(|one| one == member))
+    }
+}
+
+/// What reflections did to a cluster.
+#[derive(Clone, Debug)]
+pub struct Shock<T> {
+    /// Velocities of the members afterwards.
+    pub velocities: Vec<[T; 2]>,
+    /// Contacts that took part (indices into the cluster's touches) and their whole impulse, in the order of the first pass in
+    /// which they did, then in scene order.
+    pub impulses: Vec<(usize, T)>,
+}
+
+impl<T: Real> Cluster<'_, T> {
+    /// Reflects until no contact approaches; `None` if there is no end to it.
+    pub fn reflect(&self) -> Option<Shock<T>> {
+        // exhaustive: a law with losses or friction has to say here what it means for several contacts
+        match (self.world.contact, self.world.cushion) {
+            (None | Some(Contact::Elastic {}), None | Some(Cushion::Elastic {})) => {}
+        }
+        let constraints = self.constraints();
+        let mass = self.masses();
+        let mut velocities = self.velocities.clone();
+        let mut impulses: Vec<(usize, T)> = Vec::new();
+        let mut book = |contact: usize, impulse: T| match impulses
+            .iter_mut()
+            .find(|(known, _)| *known == contact)
+        {
+            Some((_, sum)) => *sum += impulse,
+            None => impulses.push((contact, impulse)),
+        };
+        let mut passes = 0;
+        loop {
+            let closing: Vec<usize> = (0..constraints.len())
+                .filter(|i| constraints[*i].closing(&velocities) > self.world.blur.speed)
+                .collect();
+            if closing.is_empty() {
+                break;
+            }
+            passes += 1;
+            if passes > MOST_PASSES {
+                return None;
+            }
+            let before = velocities.clone();
+            for group in groups(&closing, &constraints) {
+                if let [contact] = group[..] {
+                    let constraint = &constraints[contact];
+                    let speed = constraint.closing(&before);
+                    book(
+                        contact,
+                        (speed + speed) / constraint.coupling(constraint, &mass),
+                    );
+                    self.apply(self.touches[contact], &mut velocities);
+                    continue;
+                }
+                let set: Vec<&Constraint<T>> = group.iter().map(|i| &constraints[*i]).collect();
+                let speeds: Vec<T> = set.iter().map(|c| c.closing(&before)).collect();
+                let matrix: Vec<Vec<T>> = set
+                    .iter()
+                    .map(|row| set.iter().map(|c| row.coupling(c, &mass)).collect())
+                    .collect();
+                let projected = project(&matrix, &speeds, self.world.blur.speed)?;
+                for (contact, half) in group.iter().zip(projected) {
+                    if half > T::zero() {
+                        let impulse = half + half;
+                        book(*contact, impulse);
+                        constraints[*contact].push(impulse, &mass, &mut velocities);
+                    }
+                }
+            }
+        }
+        let counted = impulses.len() as f64;
+        self.settle(&mut velocities, T::lift(CANCELLED * T::ULP * counted));
+        Some(Shock {
+            velocities,
+            impulses,
+        })
+    }
+
+    /// Rounding of cancelled velocities is no velocity: without this, balls that should rest would creep in a direction
+    /// that is noise.
+    fn settle(&self, velocities: &mut [[T; 2]], part: T) {
+        let square = |v: &[T; 2]| v[0] * v[0] + v[1] * v[1];
+        let fastest = self
+            .velocities
+            .iter()
+            .chain(velocities.iter())
+            .map(square)
+            .fold(T::zero(), T::at_least);
+        for (after, before) in velocities.iter_mut().zip(&self.velocities) {
+            if *after != *before && square(after) <= part * part * fastest {
+                *after = [T::zero(); 2];
+            }
+        }
+    }
+}
+
+/// The contacts that approach, in groups that share no ball; each group and the list of groups in ascending order.
+fn groups<T: Real>(closing: &[usize], constraints: &[Constraint<T>]) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for contact in closing {
+        let meets = |group: &Vec<usize>| {
+            group
+                .iter()
+                .any(|other| constraints[*contact].meets(&constraints[*other]))
+        };
+        let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(meets);
+        joined.push(vec![*contact]);
+        groups = apart;
+        groups.push(joined.concat());
+    }
+    for group in &mut groups {
+        group.sort_unstable();
+    }
+    groups.sort();
+    groups
+}
+
+/// The impulses `x >= 0` that bring closing speeds to zero or below: `w = speeds - matrix x <= 0`, and `w = 0` where `x > 0`.
+///
+/// `matrix` (contacts x contacts) is the symmetric, positive semidefinite coupling. The active-set method of Lawson and Hanson
+/// for non-negative least squares: contacts join one at a time, the one that closes fastest first, and leave when they would
+/// pull. One that depends on those that already push has nothing left to close and never joins, so a rack with more contacts
+/// than motions is no trouble. `None` if it does not end, which rounding could bring about.
+fn project<T: Real>(matrix: &[Vec<T>], speeds: &[T], slow: T) -> Option<Vec<T>> {
+    let zero = T::zero();
+    let n = speeds.len();
+    let mut x = vec![zero; n];
+    let mut active: Vec<usize> = Vec::new();
+    // contacts that did not help since the last progress
+    let mut barred = vec![false; n];
+    for _ in 0..32 * (n + 1) {
+        let left = |i: usize| (0..n).fold(speeds[i], |sum, j| sum - matrix[i][j] * x[j]);
+        let mut worst: Option<(usize, T)> = None;
+        for i in (0..n).filter(|i| !barred[*i] && !active.contains(i)) {
+            let speed = left(i);
+            if speed > worst.map_or(slow, |(_, most)| most) {
+                worst = Some((i, speed));
+            }
+        }
+        let Some((joining, _)) = worst else {
+            return Some(x);
+        };
+        active.push(joining);
+        while !active.is_empty() {
+            let Some(free) = solve(matrix, speeds, &active) else {
+                break;
+            };
+            // as far toward the free solution as no contact pulls
+            let mut part = T::one();
+            for (i, value) in active.iter().zip(&free) {
+                if *value <= zero {
+                    part = part.at_most(x[*i] / (x[*i] - *value));
+                }
+            }
+            for (i, value) in active.iter().zip(&free) {
+                let next = x[*i] + part * (*value - x[*i]);
+                x[*i] = if *value <= zero && next <= x[*i] * T::lift(T::ULP) {
+                    zero
+                } else {
+                    next
+                };
+            }
+            if part >= T::one() {
+                break;
+            }
+            active.retain(|i| x[*i] > zero);
+        }
+        active.retain(|i| x[*i] > zero);
+        if x[joining] > zero {
+            barred.fill(false);
+        } else {
+            barred[joining] = true;
+        }
+    }
+    None
+}
+
+/// Solves the rows and columns `chosen` of a symmetric system by `L D L^T`; `None` if they depend on each other.
+fn solve<T: Real>(matrix: &[Vec<T>], right: &[T], chosen: &[usize]) -> Option<Vec<T>> {
+    let n = chosen.len();
+    let mut lower = vec![vec![T::zero(); n]; n];
+    let mut diagonal = vec![T::zero(); n];
+    for i in 0..n {
+        for j in 0..=i {
+            let mut sum = matrix[chosen[i]][chosen[j]];
+            for k in 0..j {
+                sum -= lower[i][k] * lower[j][k] * diagonal[k];
+            }
+            if j < i {
+                lower[i][j] = sum / diagonal[j];
+            } else {
+                let rounding = T::lift(16.0 * T::ULP * n as f64) * matrix[chosen[i]][chosen[i]];
+                if sum <= rounding {
+                    return None;
+                }
+                diagonal[i] = sum;
+            }
+        }
+    }
+    let mut x: Vec<T> = chosen.iter().map(|i| right[*i]).collect();
+    for i in 0..n {
+        for k in 0..i {
+            let known = lower[i][k] * x[k];
+            x[i] -= known;
+        }
+    }
+    for i in (0..n).rev() {
+        x[i] /= diagonal[i];
+        for k in i + 1..n {
+            let known = lower[k][i] * x[k];
+            x[i] -= known;
+        }
+    }
+    Some(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A deterministic number between -1 and 1.
+    fn draw(seed: &mut u64) -> f64 {
+        *seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    #[test]
+    fn a_projection_leaves_nothing_closing_and_pushes_only_where_it_holds() {
+        let mut seed = 7;
+        for case in 0..2000 {
+            // more contacts than motions in every third case, so that they depend on each other
+            let n = 2 + case % 7;
+            let motions = if case % 3 == 0 { n - 1 } else { n + 2 };
+            let normals: Vec<Vec<f64>> = (0..n)
+                .map(|_| (0..motions).map(|_| draw(&mut seed)).collect())
+                .collect();
+            let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+            let matrix: Vec<Vec<f64>> = normals
+                .iter()
+                .map(|a| normals.iter().map(|b| dot(a, b)).collect())
+                .collect();
+            // speeds that a motion can have
+            let motion: Vec<f64> = (0..motions).map(|_| draw(&mut seed)).collect();
+            let speeds: Vec<f64> = normals.iter().map(|a| dot(a, &motion)).collect();
+            let x = project(&matrix, &speeds, 1e-14).unwrap_or_default();
+            assert_eq!(x.len(), n, "case {case} did not end");
+            for i in 0..n {
+                let left = speeds[i] - dot(&matrix[i], &x);
+                // rounding of n products of impulses that nearly dependent normals make large
+                let largest = x.iter().copied().fold(1.0, f64::max);
+                let rounding = 1e-13 * largest * n as f64;
+                assert!(x[i] >= 0.0 && left <= rounding, "case {case}: {left:e}");
+                assert!(
+                    x[i] == 0.0 || left.abs() <= rounding,
+                    "case {case}: pushes with {} where {left:e} is left",
+                    x[i]
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn contacts_that_share_no_ball_are_solved_apart() {
+        let contact = |a: usize, b: usize| Constraint {
+            first: (a, [1.0, 0.0]),
+            second: Some((b, [-1.0, 0.0])),
+        };
+        let all = [contact(0, 1), contact(2, 3), contact(1, 4), contact(3, 5)];
+        let found = groups(&[0, 1, 2, 3], &all);
+        assert_eq!(found, vec![vec![0, 2], vec![1, 3]]);
+        assert_eq!(groups(&[0, 3], &all), vec![vec![0], vec![3]]);
+    }
+}
