@@ -7,6 +7,7 @@ mod contract;
 mod exact;
 mod exact_endings;
 mod exact_laws;
+mod exact_reflections;
 mod exact_symmetries;
 mod random;
 mod rapier;
