@@ -2,15 +2,11 @@
 //!
 //! An event-driven run can be asked for infinitely many impacts before some time: inelastic balls that are pressed together do
 //! it with intervals that shrink by a factor each time, elastic ones only in the limit (a light ball between heavy ones). No
-//! number of events gets past that time, so the run must end and say so. Two signs are watched for each ball:
+//! number of events gets past that time, so the run must end and say so. One sign is counted for each ball: it is hit again and
+//! again while the clock stands still (its time advances by less than rounding).
 //!
-//! - it is hit again and again while the clock stands still (its time advances by less than rounding);
-//! - each of its impacts follows sooner than the one before by a fixed part, so often that what is left of the interval is
-//!   below what the clock resolves.
-//!
-//! The second leads to the first: a geometric sequence of intervals reaches the resolution of the clock after
-//! `log(resolution) / log(ratio)` impacts and stands still from there on. So one count serves both, and nothing that ends by
-//! itself is cut short.
+//! Intervals that shrink by a fixed part lead to it: a geometric sequence reaches the resolution of the clock after
+//! `log(resolution) / log(ratio)` impacts and stands still from there on. Nothing that ends by itself is cut short.
 
 use crate::math::Real;
 
