@@ -8,6 +8,7 @@ mod exact;
 mod exact_endings;
 mod exact_laws;
 mod exact_symmetries;
+mod precision;
 mod random;
 mod rapier;
 mod references;

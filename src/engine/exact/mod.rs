@@ -21,8 +21,11 @@ mod predict;
 mod queue;
 mod record;
 mod simultaneous;
+mod solution;
 mod solve;
 mod world;
+
+pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};
 use super::sheet::Role;
