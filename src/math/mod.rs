@@ -1,10 +1,16 @@
 //! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics, seeded random numbers.
 
 pub mod angle;
+pub mod double_double;
+pub mod dual;
 pub mod first_root;
+mod octuple;
 pub mod random;
 pub mod real;
 
+pub use double_double::DoubleDouble;
+pub use dual::Dual;
+pub use octuple::Octuple;
 pub use real::Real;
 
 /// A vector of the scene's three-dimensional frame, f64.

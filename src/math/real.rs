@@ -25,6 +25,17 @@ pub trait Real:
     /// Spacing of the numbers just above 1 (the unit in the last place), as f64.
     const ULP: f64;
 
+    /// Bits of the significand.
+    const BITS: u32;
+
+    /// Whether the last step of an iteration must be taken from a detached start, so that derivatives come out exact.
+    const DIFFERENTIATES: bool = false;
+
+    /// The same number without its derivatives.
+    fn detached(self) -> Self {
+        self
+    }
+
     /// The f64 number `x`; exact for every scalar at least as wide as f64.
     fn lift(x: f64) -> Self;
 
@@ -57,6 +68,7 @@ pub trait Real:
 
 impl Real for f64 {
     const ULP: f64 = f64::EPSILON;
+    const BITS: u32 = f64::MANTISSA_DIGITS;
     fn lift(x: f64) -> Self {
         x
     }
@@ -73,6 +85,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const ULP: f64 = f32::EPSILON as f64;
+    const BITS: u32 = f32::MANTISSA_DIGITS;
     fn lift(x: f64) -> Self {
         x as f32
     }

@@ -11,6 +11,7 @@ mod exact_endings;
 mod exact_laws;
 mod exact_reflections;
 mod exact_symmetries;
+mod precision;
 mod random;
 mod rapier;
 mod references;

@@ -26,8 +26,11 @@ mod record;
 mod reflections;
 mod shock;
 mod simultaneous;
+mod solution;
 mod solve;
 mod world;
+
+pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};
 use super::sheet::Role;

@@ -60,7 +60,7 @@ impl<T: Real> Loop<'_, T> {
         let (a, b) = (one.ball, other.ball);
         let time = self.now.to_f64();
         let ((a0, a1), (b0, b1)) = (self.both(one), self.both(other));
-        self.counts.events += 1;
+        self.count_event();
         self.counts.ball_ball += 1;
         let event = self
             .recorder
@@ -83,7 +83,7 @@ impl<T: Real> Loop<'_, T> {
         let a = one.ball;
         let time = self.now.to_f64();
         let (before, after) = self.both(one);
-        self.counts.events += 1;
+        self.count_event();
         self.counts.ball_cushion += 1;
         let kind = EventKind::BallCushion(a as u32, side);
         let event = self.recorder.event(time, kind, Some(1));
@@ -106,7 +106,7 @@ impl<T: Real> Loop<'_, T> {
         if moved && side.before != zero && side.after == zero {
             let time = self.now.to_f64();
             let at_rest = self.solver.state(side.ball, side.position, zero);
-            self.counts.events += 1;
+            self.count_event();
             self.recorder.stop(side.ball, time, &at_rest, &at_rest);
         }
     }

@@ -54,9 +54,17 @@ impl<'a, T: Real> Solver<'a, T> {
 
     /// Runs to an ending.
     pub fn run(self, provenance: Provenance, record: Record, limits: &Limits<'_>) -> Trace {
+        let mut run = self.start(provenance, record);
+        let ending = run.play(limits);
+        run.finish(ending)
+    }
+
+    /// A run that has not begun.
+    pub fn start(self, provenance: Provenance, record: Record) -> Loop<'a, T> {
         let recorder = Recorder::new(self.scene, provenance, record, &self.states());
         let n = self.flights.len();
-        let mut run = Loop {
+        Loop {
+            times: None,
             versions: vec![0; n],
             queue: Queue::new(n),
             notes: Notes {
@@ -71,9 +79,7 @@ impl<'a, T: Real> Solver<'a, T> {
             recorder,
             counts: Counts::default(),
             solver: self,
-        };
-        let ending = run.play(limits);
-        run.finish(ending)
+        }
     }
 }
 
@@ -108,10 +114,13 @@ pub struct Loop<'a, T: Real> {
     pub recorder: Recorder,
     /// Work done.
     pub counts: Counts,
+    /// Time of every event in the scalar of the run, where someone asks for it.
+    pub times: Option<Vec<T>>,
 }
 
 impl<T: Real> Loop<'_, T> {
-    fn play(&mut self, limits: &Limits<'_>) -> Ending {
+    /// Runs to an ending; once.
+    pub fn play(&mut self, limits: &Limits<'_>) -> Ending {
         if let Some(ending) = self.unfit() {
             return ending;
         }
@@ -204,7 +213,7 @@ impl<T: Real> Loop<'_, T> {
         self.solver.flights[ball] = Flight::new(self.solver.world.ground, self.now, position, zero);
         self.versions[ball] = self.versions[ball].wrapping_add(1);
         self.moving -= 1;
-        self.counts.events += 1;
+        self.count_event();
         let at_rest = self.solver.state(ball, position, zero);
         let time = self.now.to_f64();
         self.recorder.stop(ball, time, &at_rest, &at_rest);
@@ -241,6 +250,14 @@ impl<T: Real> Loop<'_, T> {
         )))
     }
 
+    /// Counts an event at this time.
+    pub fn count_event(&mut self) {
+        self.counts.events += 1;
+        if let Some(times) = &mut self.times {
+            times.push(self.now);
+        }
+    }
+
     /// Here and now.
     pub fn spot(&self, balls: &[usize], why: &str) -> Spot {
         Spot {
@@ -250,7 +267,8 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    fn finish(self, ending: Ending) -> Trace {
+    /// The trace, rounded to f64.
+    pub fn finish(self, ending: Ending) -> Trace {
         let read = |ball: usize| {
             let (position, velocity) = self.solver.flights[ball].at(self.now);
             self.solver.state(ball, position, velocity)

@@ -14,6 +14,9 @@ use crate::math::Real;
 /// More steps than any convergent search takes; beyond it bisection answers.
 const PATIENCE: usize = 64;
 
+/// Beyond this many bits a scalar is a witness against the others, and its roots are polished to the last digit.
+const MANY_BITS: u32 = 128;
+
 /// First contact up to `limit`, s from now, by the event rule of this module.
 #[inline]
 pub fn first_contact<T: Real>(approach: &Approach<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
@@ -271,6 +274,14 @@ impl<T: Real> Curve<T> {
         if here.slope >= T::zero() {
             return Contact::Unclear(here.t);
         }
+        let mut here = here;
+        if T::BITS > MANY_BITS {
+            here = self.polished(here);
+        }
+        if T::DIFFERENTIATES {
+            // the root moves as -(change of f) / f' when the step starts where nothing moves
+            here = self.at(here.t.detached());
+        }
         let t = (here.t - here.f / here.slope).at_least(T::zero());
         let square = here.slope * here.slope;
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
@@ -281,6 +292,20 @@ impl<T: Real> Curve<T> {
         } else {
             Contact::At(t)
         }
+    }
+
+    /// Newton steps until they change nothing any more.
+    #[cold]
+    fn polished(&self, mut here: Point<T>) -> Point<T> {
+        for _ in 0..PATIENCE {
+            let next = here.t - here.f / here.slope;
+            let there = self.at(next);
+            if next == here.t || there.slope >= T::zero() || there.f.abs() >= here.f.abs() {
+                break;
+            }
+            here = there;
+        }
+        here
     }
 
     /// Decides a graze within a convex stretch by its minimum itself.

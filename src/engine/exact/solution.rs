@@ -1,0 +1,45 @@
+//! A whole run in a scalar of one's choice, with the digits that a trace, which is f64, does not keep.
+
+use super::solve::Solver;
+use crate::engine::Limits;
+use crate::math::Real;
+use crate::scene::Scene;
+use crate::trace::{Provenance, Record, Trace};
+
+/// A run in the scalar `T`, before anything of it is rounded.
+#[derive(Clone, Debug)]
+pub struct Solution<T> {
+    /// Time of every event of the trace, s.
+    pub times: Vec<T>,
+    /// Centres of all balls at the end, in scene order, length.
+    pub positions: Vec<[T; 2]>,
+    /// Velocities of all balls at the end, length/s.
+    pub velocities: Vec<[T; 2]>,
+    /// Time at which the run ended, s.
+    pub end_time: T,
+    /// The same run rounded to f64, with every event.
+    pub trace: Trace,
+}
+
+/// Runs a scene in the scalar `T`: the same source as the engine, without its border.
+///
+/// The scene must be one that the engine can simulate; see `Engine::missing`.
+pub fn solve<T: Real>(scene: &Scene, limits: &Limits<'_>) -> Solution<T> {
+    let mut run = Solver::<T>::new(scene).start(Provenance::default(), Record::Events);
+    run.times = Some(Vec::new());
+    let ending = run.play(limits);
+    let now = run.now;
+    let (positions, velocities) = run.solver.flights.iter().map(|f| f.at(now)).unzip();
+    Solution {
+        times: run.times.take().unwrap_or_default(),
+        positions,
+        velocities,
+        end_time: now,
+        trace: run.finish(ending),
+    }
+}
+
+/// Where the balls end, in the scalar `T`: centres in scene order, length.
+pub fn final_positions<T: Real>(scene: &Scene) -> Vec<[T; 2]> {
+    solve(scene, &Limits::NONE).positions
+}
