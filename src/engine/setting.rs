@@ -57,16 +57,24 @@ impl Setting {
     /// Reads the setting into an engine's struct `S`, starting from `defaults`: how a preset supplies the values of the keys
     /// that are not given.
     pub fn read_over<S: Serialize + DeserializeOwned>(&self, defaults: &S) -> Result<S, Refusal> {
-        let mut fields = fields_of(defaults);
+        let untouched = fields_of(defaults);
+        let mut fields = untouched.clone();
         for (key, text) in &self.values {
-            let Some(field) = fields.get_mut(key) else {
-                let known: Vec<&str> = fields.keys().map(String::as_str).collect();
+            let Some(default) = untouched.get(key) else {
+                let known: Vec<&str> = untouched.keys().map(String::as_str).collect();
                 return Err(refuse(format!(
                     "unknown setting `{key}`; known are {}",
                     known.join(", ")
                 )));
             };
-            *field = value_like(field, key, text)?;
+            let value = value_like(default, key, text)?;
+            // each key by itself first, so that the answer names it
+            let mut alone = untouched.clone();
+            alone.insert(key.clone(), value.clone());
+            if let Err(error) = serde_json::from_value::<S>(Value::Object(alone)) {
+                return Err(refuse(format!("`{key}={text}`: {error}")));
+            }
+            fields.insert(key.clone(), value);
         }
         serde_json::from_value(Value::Object(fields)).map_err(|error| refuse(error.to_string()))
     }

@@ -86,3 +86,43 @@ fn all_two_hundred_collisions_of_ten_discs_come_out_at_237_bits() {
     }
     assert!(worst > 0.0);
 }
+
+#[test]
+fn precisions_agree_on_the_break_and_one_that_cannot_order_it_says_so() {
+    use crate::support::{R, report_break, run};
+    let scene = report_break(1e-2 * R, 90.2);
+    let order = |precision: &str| {
+        let trace = run("exact", &[precision], &scene, carom::trace::Record::Events);
+        assert!(
+            trace.ending.is_complete(),
+            "{precision}: {:?}",
+            trace.ending
+        );
+        let kinds: Vec<_> = trace.events.iter().map(|event| event.kind).collect();
+        (kinds, trace.final_states())
+    };
+    let (reference, ends) = order("precision=f64");
+    assert!(reference.len() > 20);
+    for precision in ["precision=dd", "precision=f256"] {
+        let (kinds, finals) = order(precision);
+        assert_eq!(kinds, reference, "{precision}");
+        for (a, b) in finals.iter().zip(&ends) {
+            // f64 errs by rounding times the growth of this break, below 1e4: a known figure is 1.7e-12 at worst
+            let apart = (a.unwrap().position - b.unwrap().position).norm();
+            assert!(apart < 1e-11, "{precision}: {apart:e}");
+        }
+    }
+    // 24 bits cannot tell hits of the break apart, and the run says so instead of choosing
+    let coarse = run(
+        "exact",
+        &["precision=f32"],
+        &scene,
+        carom::trace::Record::Events,
+    );
+    assert!(
+        !coarse.ending.is_complete() && coarse.ending.spot().is_some(),
+        "{:?}",
+        coarse.ending
+    );
+    assert!(!coarse.events.is_empty());
+}

@@ -13,7 +13,7 @@
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
 //! the table, and cells or neighbour lists only have to narrow the partners of a row.
 //!
-//! Everything is generic over the scalar and instantiated for f64. Where the scalar cannot tell what happens, the run ends and
+//! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
 mod collapse;
@@ -37,7 +37,7 @@ use super::sheet::Role;
 use super::{
     About, Engine, Inside, Knob, Limits, PairMaterial, Parameter, Partner, Refusal, Run, Setting,
 };
-use crate::math::Real;
+use crate::math::{DoubleDouble, Octuple, Real};
 use crate::physics::invariants::{Invariant, kinetic_energy};
 use crate::physics::{Cloth, Contact, Cushion};
 use crate::scene::{Ball, Scene, Simultaneous};
@@ -52,9 +52,48 @@ use world::World;
 #[derive(Debug)]
 pub struct Exact;
 
-/// Settings of `exact`: none that changes physics yet; it runs in f64.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-pub struct Settings {}
+/// Settings of `exact`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits. States are rounded to f64 in the trace only.
+    pub precision: Precision,
+}
+
+/// The scalar of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// 53 bits.
+    #[default]
+    F64,
+    /// 24 bits.
+    F32,
+    /// Double-double, 106 bits.
+    Dd,
+    /// 237 bits.
+    F256,
+}
+
+impl Precision {
+    /// Every precision, from coarse to fine.
+    const ALL: [Precision; 4] = [
+        Precision::F32,
+        Precision::F64,
+        Precision::Dd,
+        Precision::F256,
+    ];
+
+    /// The word of `--set precision=`.
+    fn id(self) -> &'static str {
+        match self {
+            Precision::F64 => "f64",
+            Precision::F32 => "f32",
+            Precision::Dd => "dd",
+            Precision::F256 => "f256",
+        }
+    }
+}
 
 impl Engine for Exact {
     fn id(&self) -> &'static str {
@@ -92,7 +131,16 @@ impl Engine for Exact {
         }
     }
 
-    fn promises(&self, scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
+    fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
+        // the bounds of the other promises are those of f64
+        if matches!(
+            setting.read(),
+            Ok(Settings {
+                precision: Precision::F32
+            })
+        ) {
+            return vec![Invariant::Finite, Invariant::Rerun];
+        }
         let mut promised = vec![
             Invariant::Finite,
             Invariant::Momentum,
@@ -126,11 +174,22 @@ impl Engine for Exact {
     }
 
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
-        vec![("precision", vec![Setting::default()])]
+        let at = |precision: Precision| Setting::default().with("precision", precision.id());
+        vec![("precision", Precision::ALL.map(at).to_vec())]
     }
 
-    fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
-        Vec::new()
+    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
+        match setting.read::<Settings>() {
+            Ok(Settings {
+                precision: Precision::F32,
+            }) => {
+                vec![(
+                    "the arithmetic",
+                    setting.clone().with("precision", Precision::F64.id()),
+                )]
+            }
+            _ => Vec::new(),
+        }
     }
 
     fn prepare<'a>(
@@ -139,19 +198,22 @@ impl Engine for Exact {
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         let settings: Settings = setting.read()?;
-        Ok(Box::new(Prepared {
-            scene,
-            solver: Solver::<f64>::new(scene),
-            provenance: Provenance {
-                engine: self.id().to_owned(),
-                version: self.version(),
-                parameters: parameters(&settings),
-                scene: scene.name.clone(),
-                scene_hash: scene.hash(),
-                resolution: 0.0,
-                rest_speed: 0.0,
-            },
-        }))
+        let provenance = Provenance {
+            engine: self.id().to_owned(),
+            version: self.version(),
+            parameters: parameters(&settings),
+            scene: scene.name.clone(),
+            scene_hash: scene.hash(),
+            resolution: 0.0,
+            rest_speed: 0.0,
+        };
+        let precision = settings.precision;
+        Ok(match precision {
+            Precision::F64 => Prepared::<f64>::boxed(scene, provenance, precision),
+            Precision::F32 => Prepared::<f32>::boxed(scene, provenance, precision),
+            Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, precision),
+            Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, precision),
+        })
     }
 }
 
@@ -160,6 +222,18 @@ struct Prepared<'a, T: Real> {
     scene: &'a Scene,
     solver: Solver<'a, T>,
     provenance: Provenance,
+    precision: Precision,
+}
+
+impl<'a, T: Real> Prepared<'a, T> {
+    fn boxed(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Box<dyn Run + 'a> {
+        Box::new(Prepared {
+            scene,
+            solver: Solver::<T>::new(scene),
+            provenance,
+            precision,
+        })
+    }
 }
 
 impl<T: Real> Run for Prepared<'_, T> {
@@ -182,7 +256,8 @@ impl<T: Real> Run for Prepared<'_, T> {
                 .sum(),
             materials: self.materials(balls.len()),
             balls,
-            ulp: T::ULP,
+            // what is read back is f64, whatever the scalar
+            ulp: T::ULP.max(f64::EPSILON),
             contact_time: None,
         }
     }
@@ -202,7 +277,7 @@ impl<T: Real> Run for Prepared<'_, T> {
                 "solves for the time of each event",
                 "",
             ),
-            row(Role::Precision, "scalar", "f64", ""),
+            row(Role::Precision, "precision", self.precision.id(), ""),
             row(Role::Gravity, "gravity", scene.gravity, &acceleration),
             row(
                 Role::Mass,

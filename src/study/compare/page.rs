@@ -191,15 +191,14 @@ fn pair_sentence(outcome: &Outcome, pair: &PairOutcome) -> String {
 }
 
 fn reference_line(outcome: &Outcome) -> String {
-    match outcome.reference.and_then(|i| outcome.entries[i].trace()) {
-        Some(trace) => {
-            let collisions = trace.collisions().count();
-            let events = trace.events.len();
-            format!(
-                "Reference: exact f64, {events} events of which {collisions} collisions. {}.",
-                describe_ending(trace)
-            )
-        }
+    let reference = outcome.reference.map(|i| &outcome.entries[i]);
+    match reference.and_then(|entry| Some((entry.label(), entry.trace()?))) {
+        Some((label, trace)) => format!(
+            "Reference: {label}, {} events of which {} collisions. {}.",
+            trace.events.len(),
+            trace.collisions().count(),
+            describe_ending(trace)
+        ),
         None => format!(
             "No reference: {}.",
             outcome

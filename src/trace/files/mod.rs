@@ -1,6 +1,6 @@
 //! Trace files: what other programs may rely on.
 //!
-//! [`write`] turns a [`Trace`] into the text of four files and [`read`] turns them back into the same trace to the bit, so
+//! [`write()`] turns a [`Trace`] into the text of four files and [`read`] turns them back into the same trace to the bit, so
 //! that any program that writes them can become an engine. Text in, text out: paths are the business of `cli`.
 //!
 //! Where everything lives:
