@@ -138,7 +138,7 @@ pub enum Simultaneous {
     Refuse,
     /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012).
     GeneralizedReflections,
-    /// A single run ends as with `refuse`; `carom ensemble` draws small gaps and answers with a distribution.
+    /// A single run ends as with `refuse`: the answer is a distribution over small gaps.
     Ensemble,
 }
 
