@@ -3,8 +3,9 @@
 use super::{COULD_NOT_RUN, Failure, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
+use crate::scene::generate::{Recipe, generate};
 use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
-use clap::Subcommand;
+use clap::{Args, Subcommand};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -29,6 +30,53 @@ pub enum SceneCommand {
     },
     /// Print the JSON Schema of the scene format, for editors.
     Schema,
+    /// Print a scene of many discs in a box, ready to be saved: a jittered lattice with random velocities.
+    Generate(GenerateArguments),
+}
+
+/// What `carom scene generate` is told.
+#[derive(Clone, Debug, Args)]
+pub struct GenerateArguments {
+    /// Number of balls.
+    #[arg(long, value_name = "N")]
+    pub balls: usize,
+    /// Part of the box that the discs cover; up to about 0.85 for many discs.
+    #[arg(long, value_name = "D")]
+    pub density: f64,
+    /// Seed of positions and velocities; the same seed gives the same file.
+    #[arg(long, value_name = "S", default_value_t = Recipe::default().seed)]
+    pub seed: u64,
+    /// Friction of the cloth, with a gravity of 9.81 length/s^2; without it there is no cloth.
+    #[arg(long, value_name = "MU")]
+    pub mu: Option<f64>,
+    /// Root mean square of the speeds, length/s.
+    #[arg(long, value_name = "V", default_value_t = Recipe::default().speed)]
+    pub speed: f64,
+    /// Radius of every ball, length.
+    #[arg(long, value_name = "R", default_value_t = Recipe::default().radius)]
+    pub radius: f64,
+    /// Mass of every ball.
+    #[arg(long, value_name = "M", default_value_t = Recipe::default().mass)]
+    pub mass: f64,
+    /// Longest simulated time, s.
+    #[arg(long, value_name = "T", default_value_t = Recipe::default().duration)]
+    pub duration: f64,
+}
+
+impl GenerateArguments {
+    /// The recipe that the arguments are.
+    pub fn recipe(&self) -> Recipe {
+        Recipe {
+            balls: self.balls,
+            density: self.density,
+            seed: self.seed,
+            mu: self.mu,
+            speed: self.speed,
+            radius: self.radius,
+            mass: self.mass,
+            duration: self.duration,
+        }
+    }
 }
 
 /// Why a SCENE on the command line is not a scene.
@@ -66,6 +114,10 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
         }
         SceneCommand::Show { name } => terminal::print(show(name)?),
         SceneCommand::Schema => terminal::print(&schema_text()),
+        SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
+            Ok(text) => terminal::print(&text),
+            Err(error) => Err(Failure::Message(error.to_string())),
+        },
         SceneCommand::Check { files } => {
             let (mut out, mut err) = (Vec::new(), Vec::new());
             let all_right = check(files, terminal::colour_on_stderr(), &mut out, &mut err)

@@ -8,6 +8,7 @@ pub mod catalogue;
 mod check;
 mod diagnostics;
 mod file;
+pub mod generate;
 mod geometry;
 mod located;
 mod names;
