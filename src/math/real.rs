@@ -50,6 +50,25 @@ pub trait Real:
         if self < Self::zero() { -self } else { self }
     }
 
+    /// The same number in a scalar that is at least as wide, exactly.
+    fn widen<W: Real>(self) -> W {
+        let leading = self.to_f64();
+        let mut sum = W::lift(leading);
+        if !leading.is_finite() {
+            return sum;
+        }
+        let mut rest = self - Self::lift(leading);
+        while !rest.is_zero() {
+            let next = rest.to_f64();
+            if next == 0.0 {
+                break;
+            }
+            sum += W::lift(next);
+            rest -= Self::lift(next);
+        }
+        sum
+    }
+
     /// True unless the number is NaN or infinite.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()

@@ -1,10 +1,12 @@
 //! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
 
+mod certainty;
 mod event;
 pub mod files;
 mod path;
 mod recorder;
 
+pub use certainty::Certainty;
 pub use event::{Event, EventKind};
 pub use path::{Knot, Path};
 pub use recorder::{Record, Recorder};
@@ -25,6 +27,8 @@ pub struct Trace {
     pub paths: Vec<Path>,
     /// All events in the order in which they happened.
     pub events: Vec<Event>,
+    /// How certain each event is, in the order of `events`; empty where the engine does not say.
+    pub certainty: Vec<Certainty>,
     /// When the centre velocity of each ball last became zero, s; `None` while it moves at the end or when pocketed.
     pub stop_times: Vec<Option<f64>>,
     /// The worst values of quantities that should stay small.
@@ -154,6 +158,20 @@ impl Trace {
     pub fn final_states(&self) -> Vec<Option<State>> {
         let last = |(i, path): (usize, &Path)| if self.pocketed(i) { None } else { path.last() };
         self.paths.iter().enumerate().map(last).collect()
+    }
+
+    /// Keeps what [`Record::Final`] keeps of a fuller record: first and last states, stop times, extrema and counters.
+    pub fn pare(&mut self) {
+        for path in &mut self.paths {
+            let (first, last) = (path.knots.first().copied(), path.knots.last().copied());
+            path.knots = first.into_iter().collect();
+            path.knots.extend(
+                last.map(|knot| Knot { after: None, ..knot })
+                    .filter(|last| first.is_none_or(|first| *last != first)),
+            );
+        }
+        self.events.clear();
+        self.certainty.clear();
     }
 
     /// True when ball `i` left play.

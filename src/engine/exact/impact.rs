@@ -161,8 +161,8 @@ impl<T: Real> Loop<'_, T> {
         let all = 0..self.versions.len();
         for (i, side) in sides.iter().enumerate() {
             // the pair itself belongs to the row of the first
-            let skip = if i == 0 { usize::MAX } else { sides[0].ball };
-            self.predict(side.ball, all.clone(), skip);
+            let known = (i > 0).then(|| Near::Pair(sides[0].ball, side.ball));
+            self.predict(side.ball, all.clone(), known);
         }
     }
 

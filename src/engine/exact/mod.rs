@@ -7,6 +7,8 @@
 //! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
 //! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
 //!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
+//! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
+//!   `sensitivity` (growth, and what moves the balls) and, with a second precision, `horizon`; `auto` goes to more digits by it.
 //! - `collapse`: when impacts without time passing are too many to be finite.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
@@ -16,20 +18,26 @@
 //! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod auto;
+mod certainty;
 mod collapse;
 mod doubt;
 pub mod flight;
+pub mod horizon;
 mod impact;
 mod predict;
 mod queue;
 mod record;
 mod reflections;
+pub mod sensitivity;
 mod shock;
 mod simultaneous;
 mod solution;
 mod solve;
+mod tangent;
 mod world;
 
+pub use certainty::certify;
 pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};
@@ -56,7 +64,7 @@ pub struct Exact;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
-    /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits. States are rounded to f64 in the trace only.
+    /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits; auto, f64 and more where an event is too close to call. States are rounded to f64 in the trace only.
     pub precision: Precision,
 }
 
@@ -73,11 +81,13 @@ pub enum Precision {
     Dd,
     /// 237 bits.
     F256,
+    /// f64, and double-double or 237 bits where an event is closer to another than the estimated error of its time.
+    Auto,
 }
 
 impl Precision {
-    /// Every precision, from coarse to fine.
-    const ALL: [Precision; 4] = [
+    /// Every fixed precision, from coarse to fine.
+    const FIXED: [Precision; 4] = [
         Precision::F32,
         Precision::F64,
         Precision::Dd,
@@ -91,6 +101,7 @@ impl Precision {
             Precision::F32 => "f32",
             Precision::Dd => "dd",
             Precision::F256 => "f256",
+            Precision::Auto => "auto",
         }
     }
 }
@@ -175,7 +186,7 @@ impl Engine for Exact {
 
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         let at = |precision: Precision| Setting::default().with("precision", precision.id());
-        vec![("precision", Precision::ALL.map(at).to_vec())]
+        vec![("precision", Precision::FIXED.map(at).to_vec())]
     }
 
     fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
@@ -213,6 +224,7 @@ impl Engine for Exact {
             Precision::F32 => Prepared::<f32>::boxed(scene, provenance, precision),
             Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, precision),
             Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, precision),
+            Precision::Auto => auto::Escalating::boxed(scene, provenance)?,
         })
     }
 }
@@ -226,13 +238,17 @@ struct Prepared<'a, T: Real> {
 }
 
 impl<'a, T: Real> Prepared<'a, T> {
-    fn boxed(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Box<dyn Run + 'a> {
-        Box::new(Prepared {
+    fn new(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Self {
+        Prepared {
             scene,
             solver: Solver::<T>::new(scene),
             provenance,
             precision,
-        })
+        }
+    }
+
+    fn boxed(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Box<dyn Run + 'a> {
+        Box::new(Prepared::<T>::new(scene, provenance, precision))
     }
 }
 
@@ -330,7 +346,11 @@ impl<T: Real> Run for Prepared<'_, T> {
     }
 
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
-        self.solver.run(self.provenance, record, limits)
+        let mut trace = self.solver.run(self.provenance, record, limits);
+        if let Record::Every(_) = record {
+            trace.certainty = certify(self.scene, &trace, T::ULP);
+        }
+        trace
     }
 }
 

@@ -50,13 +50,13 @@ pub enum Near {
 }
 
 impl<T: Real> View<'_, T> {
-    /// The next event of `ball` after `now`, among all partners but `skip`. Nothing beyond the duration.
+    /// The next event of `ball` after `now`, all but the encounter `known`. Nothing beyond the duration.
     pub fn next_event(
         &self,
         ball: usize,
         now: T,
         partners: Range<usize>,
-        skip: usize,
+        known: Option<Near>,
         notes: &mut Notes<T>,
     ) -> Candidate<T> {
         let flight = &self.flights[ball];
@@ -67,10 +67,10 @@ impl<T: Real> View<'_, T> {
                 best.time = flight.end;
                 best.what = What::End(ball as u32);
             }
-            self.cushions(ball, now, &mut best, notes);
+            self.cushions(ball, now, known, &mut best, notes);
         }
         if self.world.contact.is_some() {
-            self.balls(ball, now, partners, skip, &mut best, notes);
+            self.balls(ball, now, partners, known, &mut best, notes);
         }
         if best.what == What::Nothing {
             Candidate::none()
@@ -79,7 +79,14 @@ impl<T: Real> View<'_, T> {
         }
     }
 
-    fn cushions(&self, ball: usize, now: T, best: &mut Candidate<T>, notes: &mut Notes<T>) {
+    fn cushions(
+        &self,
+        ball: usize,
+        now: T,
+        known: Option<Near>,
+        best: &mut Candidate<T>,
+        notes: &mut Notes<T>,
+    ) {
         let Some(reach) = self.world.reach.get(ball) else {
             return;
         };
@@ -96,7 +103,9 @@ impl<T: Real> View<'_, T> {
             }
             let speed = outward(velocity[axis]);
             let acceleration = outward(flight.acceleration[axis]);
-            if speed <= T::zero() && acceleration <= T::zero() {
+            if (speed <= T::zero() && acceleration <= T::zero())
+                || known == Some(Near::Cushion(ball, side))
+            {
                 continue;
             }
             notes.root_calls += 1;
@@ -124,11 +133,16 @@ impl<T: Real> View<'_, T> {
         ball: usize,
         now: T,
         partners: Range<usize>,
-        skip: usize,
+        known: Option<Near>,
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
     ) {
         let world = self.world;
+        let skip = match known {
+            Some(Near::Pair(a, b)) if a == ball => b,
+            Some(Near::Pair(a, b)) if b == ball => a,
+            _ => usize::MAX,
+        };
         let flight = &self.flights[ball];
         let moves = flight.moves();
         let (position, velocity) = flight.at(now);

@@ -5,7 +5,7 @@
 
 use super::collapse::Streaks;
 use super::flight::{Flight, Phase, state};
-use super::predict::{Notes, View};
+use super::predict::{Near, Notes, View};
 use super::queue::{Candidate, Queue, What};
 use super::world::World;
 use crate::engine::Limits;
@@ -126,7 +126,7 @@ impl<T: Real> Loop<'_, T> {
         }
         for ball in 0..self.versions.len() {
             // each pair once: the row of the larger index holds it
-            self.predict(ball, 0..ball, usize::MAX);
+            self.predict(ball, 0..ball, None);
         }
         loop {
             let (ball, next) = self.queue.first();
@@ -135,7 +135,7 @@ impl<T: Real> Loop<'_, T> {
             }
             if self.is_stale(ball, &next) {
                 self.now_is(next.time);
-                self.predict(ball, 0..self.versions.len(), usize::MAX);
+                self.predict(ball, 0..self.versions.len(), None);
                 continue;
             }
             if limits.is_cancelled() {
@@ -191,14 +191,14 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    /// Predicts the next event of a ball among `partners` but `skip`.
-    pub fn predict(&mut self, ball: usize, partners: Range<usize>, skip: usize) {
+    /// Predicts the next event of a ball among `partners`, all but the encounter `known`.
+    pub fn predict(&mut self, ball: usize, partners: Range<usize>, known: Option<Near>) {
         let view = View {
             world: &self.solver.world,
             flights: &self.solver.flights,
             versions: &self.versions,
         };
-        let next = view.next_event(ball, self.now, partners, skip, &mut self.notes);
+        let next = view.next_event(ball, self.now, partners, known, &mut self.notes);
         self.queue.set(ball, next);
     }
 
@@ -219,7 +219,7 @@ impl<T: Real> Loop<'_, T> {
         self.recorder.stop(ball, time, &at_rest, &at_rest);
         self.notes.watch = Some(self.solver.world.blur.length);
         self.notes.near.clear();
-        self.predict(ball, 0..self.versions.len(), usize::MAX);
+        self.predict(ball, 0..self.versions.len(), None);
         self.notes.watch = None;
         if self.notes.near.is_empty() {
             return None;
