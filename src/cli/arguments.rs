@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::scene::SceneCommand;
+use crate::engine::exact::Precision;
 use crate::engine::{self, ENGINES, Setting};
 use crate::report::FORMATS;
 use crate::study::Column;
@@ -30,6 +31,8 @@ pub enum Command {
     Compare(CompareArguments),
     /// Compare many scenes and write a report: HTML, Markdown, CSV, JSON.
     Report(ReportArguments),
+    /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
+    Horizon(HorizonArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -107,6 +110,22 @@ pub struct ReportArguments {
     pub format: String,
 }
 
+/// Arguments of `carom horizon`.
+#[derive(Debug, Args)]
+pub struct HorizonArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// The precision in question; the next finer one is the witness.
+    #[arg(long, value_parser = precisions(), default_value = Precision::F64.id())]
+    pub precision: String,
+    /// Folder for the same as a page with its pictures; none is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
 /// Where a report goes unless told otherwise.
 const DEFAULT_FOLDER: &str = "carom-report";
 
@@ -123,6 +142,11 @@ impl Default for ReportArguments {
 
 fn formats() -> PossibleValuesParser {
     PossibleValuesParser::new(FORMATS.iter().map(|format| format.id))
+}
+
+/// The precisions that have a finer one to be held against.
+fn precisions() -> PossibleValuesParser {
+    PossibleValuesParser::new(Precision::WITNESSED.map(Precision::id))
 }
 
 fn engine_ids() -> PossibleValuesParser {

@@ -4,7 +4,8 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Certainty {
     /// Time from this event to the next other candidate of its balls, s, >= 0: had the event not happened, one of them would
-    /// have met something else by then. An error of the event times beyond this could change the order. Infinite without one.
+    /// have met something else by then, or the run would have ended. An error of the event times beyond this could change the order.
+    /// Infinite without one.
     pub margin: Option<f64>,
     /// Condition number, >= 1: relative speed over its normal part. What an error along the path is multiplied by in a graze.
     pub condition: Option<f64>,

@@ -166,8 +166,11 @@ impl Trace {
             let (first, last) = (path.knots.first().copied(), path.knots.last().copied());
             path.knots = first.into_iter().collect();
             path.knots.extend(
-                last.map(|knot| Knot { after: None, ..knot })
-                    .filter(|last| first.is_none_or(|first| *last != first)),
+                last.map(|knot| Knot {
+                    after: None,
+                    ..knot
+                })
+                .filter(|last| first.is_none_or(|first| *last != first)),
             );
         }
         self.events.clear();

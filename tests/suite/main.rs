@@ -7,6 +7,7 @@ mod cli;
 mod compare;
 mod contract;
 mod exact;
+mod exact_certainty;
 mod exact_endings;
 mod exact_laws;
 mod exact_reflections;

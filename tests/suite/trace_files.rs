@@ -4,7 +4,7 @@ use carom::math::Vec3;
 use carom::physics::{Side, State};
 use carom::trace::files::{self, Files};
 use carom::trace::{
-    Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Spot, Trace,
+    Certainty, Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Spot, Trace,
 };
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -132,6 +132,24 @@ fn parameters() -> impl Strategy<Value = BTreeMap<String, serde_json::Value>> {
     prop::collection::btree_map(".*", value, 0..4)
 }
 
+/// The certainty of every event, or of none.
+fn certainty(events: usize) -> impl Strategy<Value = Vec<Certainty>> {
+    let known = [(); 3].map(|()| prop::option::of(number()));
+    let one = known.prop_map(|[margin, condition, time_error]| Certainty {
+        margin,
+        condition,
+        time_error,
+    });
+    let all = prop::collection::vec(one, events).prop_map(|mut all| {
+        // nothing known of any event is written as nothing at all
+        if all.iter().all(|known| *known == Certainty::default()) {
+            all.clear();
+        }
+        all
+    });
+    prop_oneof![Just(Vec::new()), all]
+}
+
 fn trace() -> impl Strategy<Value = Trace> {
     let ids = prop::collection::hash_set(".{0,6}", 1..5);
     let with_events = ids.prop_flat_map(|ids| {
@@ -174,15 +192,26 @@ fn trace() -> impl Strategy<Value = Trace> {
             counters,
             ending(n),
             number(),
+            certainty(events.len()),
         );
         rest.prop_map(
-            move |(paths, provenance, extrema, stop_times, counters, ending, end_time)| {
+            move |(
+                paths,
+                provenance,
+                extrema,
+                stop_times,
+                counters,
+                ending,
+                end_time,
+                certainty,
+            )| {
                 let [energy_gained, momentum, overlap, outside, displaced] = extrema;
                 Trace {
                     provenance,
                     balls: balls.clone(),
                     paths,
                     events: events.clone(),
+                    certainty,
                     stop_times,
                     extrema: Extrema {
                         energy_gained,
@@ -268,6 +297,14 @@ fn example() -> Trace {
                 kind: EventKind::Stop(0),
                 exchanges: None,
             },
+        ],
+        certainty: vec![
+            Certainty {
+                margin: Some(f64::INFINITY),
+                condition: Some(1.25),
+                time_error: Some(3e-17),
+            },
+            Certainty::default(),
         ],
         stop_times: vec![Some(0.5), None],
         extrema: Extrema {

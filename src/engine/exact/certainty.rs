@@ -12,7 +12,7 @@ use super::tangent::{Replay, Script};
 use super::world::World;
 use crate::math::random::Draws;
 use crate::scene::Scene;
-use crate::trace::{Certainty, Event, EventKind, Trace};
+use crate::trace::{Certainty, Ending, Event, EventKind, Trace};
 
 /// Certainty is not computed for more balls than this: the margin of an event looks at all of them.
 pub const MOST_BALLS: usize = 1000;
@@ -26,6 +26,9 @@ const DEVIATIONS: f64 = 4.0;
 
 /// Seed of the signs; any number would do.
 const SEED: u64 = 0x6361_726f_6d;
+
+/// Roundings of a velocity in one impact, relative.
+const SPEED_ROUNDINGS: f64 = 2.0;
 
 /// Roundings of the clock in one event.
 const CLOCK: f64 = 2.0;
@@ -60,7 +63,9 @@ pub fn certify(scene: &Scene, trace: &Trace, ulp: f64) -> Vec<Certainty> {
 /// The run with the roundings of every event.
 struct Probes<'a> {
     replay: Replay<'a, PROBES>,
+    /// Rounding of a coordinate, length.
     length: f64,
+    /// Rounding of a velocity, as a part of it.
     speed: f64,
     draws: Draws,
 }
@@ -69,10 +74,9 @@ impl<'a> Probes<'a> {
     fn new(script: &'a Script<'a>, ulp: f64) -> Self {
         let effects = script.scene.effects.lift();
         let replay = Replay::new(script, &effects, |_, _| {});
-        let coarser = ulp / f64::EPSILON;
         let mut probes = Probes {
-            length: replay.world.blur.length.value * coarser,
-            speed: replay.world.blur.speed.value * coarser / replay.world.fastest.value.max(f64::MIN_POSITIVE),
+            length: ulp * replay.world.extent,
+            speed: SPEED_ROUNDINGS * ulp,
             draws: Draws::new(SEED, 0),
             replay,
         };
@@ -168,15 +172,20 @@ impl<'a> Table<'a> {
         };
         let all = 0..self.flights.len();
         let next = view.next_event(ball, now, all, known, &mut self.notes);
-        (next.time - now).max(0.0)
+        let end = match self.script.trace.ending {
+            // an event can also fall out of the run
+            Ending::Duration => self.script.trace.end_time,
+            _ => f64::INFINITY,
+        };
+        (next.time.min(end) - now).max(0.0)
     }
 
     /// The margin where what else there is at this instant makes no difference: time from the event to the next one of its balls.
     fn margin_after(&self, event: &Event) -> Option<f64> {
         let events = &self.script.trace.events;
-        let later = events.iter().find(|other| {
-            other.time > event.time && other.kind.shares_ball(event.kind)
-        });
+        let later = events
+            .iter()
+            .find(|other| other.time > event.time && other.kind.shares_ball(event.kind));
         Some(later.map_or(f64::INFINITY, |other| other.time - event.time))
     }
 
@@ -201,8 +210,11 @@ impl<'a> Table<'a> {
 
     /// True if impacts within `window` seconds of this one could come in another order with another result.
     fn order_matters(&self, event: &Event, window: f64) -> bool {
-        let (positions, velocities): (Vec<_>, Vec<_>) =
-            self.flights.iter().map(|flight| flight.at(event.time)).unzip();
+        let (positions, velocities): (Vec<_>, Vec<_>) = self
+            .flights
+            .iter()
+            .map(|flight| flight.at(event.time))
+            .unzip();
         let (a, b) = event.kind.balls();
         let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
         Cluster::around(&self.world, &seeds, &positions, &velocities, window).order_matters()

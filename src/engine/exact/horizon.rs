@@ -4,15 +4,17 @@
 //! differ by less than [`BAND`]; and the margin of each event exceeds the error of its time, estimated and seen. Beyond
 //! it the order of events, and with it everything else, is decided by rounding.
 
-use super::certainty::{MOST_BALLS, certify};
+use super::certainty::certify;
 use super::sensitivity::{Growth, growth};
 use super::solution::{Solution, solve};
-use super::Precision;
-use crate::engine::Limits;
+use super::{Exact, Precision};
+use crate::engine::{Engine, Limits};
 use crate::math::{DoubleDouble, Octuple, Real, worse};
 use crate::scene::Scene;
 use crate::trace::{Event, EventKind, Trace};
 use std::collections::HashMap;
+
+pub use super::certainty::MOST_BALLS;
 
 /// Two precisions agree while they differ by less than this: positions in R, velocities in the largest initial speed, times in R
 /// over that speed.
@@ -38,6 +40,8 @@ pub struct Sight {
     pub event: Event,
     /// Time to the next other candidate, s.
     pub margin: Option<f64>,
+    /// Condition number of its time.
+    pub condition: Option<f64>,
     /// Estimated error of its time, s.
     pub estimated: Option<f64>,
     /// Difference of its time from the witness's, s; `None` where the witness does not have it in this place.
@@ -94,6 +98,7 @@ pub fn horizon(
         Precision::F256 | Precision::Auto => return None,
     };
     let mut horizon = against(scene, limits);
+    horizon.trace.provenance.engine = Exact.id().to_owned();
     horizon.precision = precision;
     horizon.witness = match precision {
         Precision::F32 => Precision::F64,
@@ -107,11 +112,16 @@ pub fn horizon(
 fn held_against<T: Real, W: Real>(scene: &Scene, limits: &Limits<'_>) -> Horizon {
     let (run, witness) = (solve::<T>(scene, limits), solve::<W>(scene, limits));
     let sights = sights(scene, &run, &witness);
-    let failing = sights.iter().enumerate().find_map(|(index, sight)| Some((index, fault(sight)?)));
+    let failing = sights
+        .iter()
+        .enumerate()
+        .find_map(|(index, sight)| Some((index, fault(sight)?)));
     let (certain, limit) = failing.unwrap_or((sights.len(), at_the_end(scene, &run, &witness)));
     let until = match limit {
         Limit::Whole => f64::INFINITY,
-        _ => sights.get(certain).map_or(run.trace.end_time, |sight| sight.event.time),
+        _ => sights
+            .get(certain)
+            .map_or(run.trace.end_time, |sight| sight.event.time),
     };
     Horizon {
         precision: Precision::default(),
@@ -156,11 +166,7 @@ fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solu
     }
 }
 
-fn sights<T: Real, W: Real>(
-    scene: &Scene,
-    run: &Solution<T>,
-    witness: &Solution<W>,
-) -> Vec<Sight> {
+fn sights<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solution<W>) -> Vec<Sight> {
     let certainty = certify(scene, &run.trace, T::ULP);
     let (ours, theirs) = (Places::new(&run.trace), Places::new(&witness.trace));
     let length = scene.smallest_radius();
@@ -170,7 +176,9 @@ fn sights<T: Real, W: Real>(
         let known = certainty.get(index).copied().unwrap_or_default();
         let same = theirs.find(&ours, index);
         let seen = same.map(|other| {
-            (run.times[index].widen::<W>() - witness.times[other]).abs().to_f64()
+            (run.times[index].widen::<W>() - witness.times[other])
+                .abs()
+                .to_f64()
         });
         let apart = same.zip(seen).map(|(other, seen)| {
             let sides = sides(&run.trace, index, event).zip(sides(&witness.trace, other, event));
@@ -183,6 +191,7 @@ fn sights<T: Real, W: Real>(
         sights.push(Sight {
             event: *event,
             margin: known.margin,
+            condition: known.condition,
             estimated: known.time_error,
             seen,
             apart,
@@ -192,15 +201,26 @@ fn sights<T: Real, W: Real>(
 }
 
 /// States of an event's balls on its far side, in the order of its kind.
-fn sides(trace: &Trace, index: usize, event: &Event) -> impl Iterator<Item = crate::physics::State> {
+fn sides(
+    trace: &Trace,
+    index: usize,
+    event: &Event,
+) -> impl Iterator<Item = crate::physics::State> {
     let (a, b) = event.kind.balls();
     let side = move |ball: usize| {
         let knots = &trace.paths[ball].knots;
         let first = knots.partition_point(|knot| knot.time < trace.events[index].time);
-        let far = knots[first..].iter().find(|knot| knot.after == Some(index as u32));
+        let far = knots[first..]
+            .iter()
+            .find(|knot| knot.after == Some(index as u32));
         far.map(|knot| knot.state)
     };
-    [Some(a), b].into_iter().flatten().filter_map(side).collect::<Vec<_>>().into_iter()
+    [Some(a), b]
+        .into_iter()
+        .flatten()
+        .filter_map(side)
+        .collect::<Vec<_>>()
+        .into_iter()
 }
 
 /// Where each event stands: which occurrence of its kind it is, and its place among the events of each of its balls.

@@ -87,15 +87,24 @@ pub enum Precision {
 
 impl Precision {
     /// Every fixed precision, from coarse to fine.
-    const FIXED: [Precision; 4] = [
+    pub const FIXED: [Precision; 4] = [
         Precision::F32,
         Precision::F64,
         Precision::Dd,
         Precision::F256,
     ];
 
+    /// Those with a finer one to be held against, from coarse to fine.
+    pub const WITNESSED: [Precision; 3] = [Precision::F32, Precision::F64, Precision::Dd];
+
+    /// The precision called `id`.
+    pub fn find(id: &str) -> Option<Precision> {
+        let all = Precision::FIXED.into_iter().chain([Precision::Auto]);
+        all.into_iter().find(|precision| precision.id() == id)
+    }
+
     /// The word of `--set precision=`.
-    fn id(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Precision::F64 => "f64",
             Precision::F32 => "f32",

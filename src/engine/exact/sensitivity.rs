@@ -3,7 +3,7 @@
 use super::tangent::{Motion2, Replay, Rough, Script};
 use crate::math::{Dual, Real};
 use crate::scene::Scene;
-use crate::trace::{Ending, Trace};
+use crate::trace::Trace;
 use nalgebra::DMatrix;
 use num_traits::Zero;
 
@@ -47,12 +47,12 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
     };
     let unit = [length, speed];
     // a ball that rests on a cloth stays where it is when its velocity is changed by little
-    let slides = |ball: usize| {
-        scene.effects.cloth.is_none() || scene.balls[ball].state.speed() > 0.0
-    };
+    let slides =
+        |ball: usize| scene.effects.cloth.is_none() || scene.balls[ball].state.speed() > 0.0;
     let coordinates = |ball: usize| {
         let all = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(of, axis)| (ball, of, axis));
-        all.into_iter().filter(move |(_, of, _)| *of == 0 || slides(ball))
+        all.into_iter()
+            .filter(move |(_, of, _)| *of == 0 || slides(ball))
     };
     let columns: Vec<(usize, usize, usize)> = (0..balls).flat_map(coordinates).collect();
     let effects = scene.effects.lift();
@@ -122,7 +122,7 @@ impl Input {
         match self {
             Input::Aim => "aim",
             Input::Speed => "speed",
-            Input::Effect(key) => key,
+            Input::Effect(key) => key.rsplit_once('.').map_or(key, |(_, number)| number),
             Input::BallRestitution => "restitution of balls",
             Input::CushionRestitution => "restitution of cushions",
         }
@@ -134,6 +134,17 @@ impl Input {
             Input::Aim => "0.1 degree",
             Input::Speed | Input::Effect(_) => "1 %",
             Input::BallRestitution | Input::CushionRestitution => "0.01",
+        }
+    }
+
+    /// Unit of a derivative of a length in R.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Input::Aim => "R/rad",
+            Input::Speed
+            | Input::Effect(_)
+            | Input::BallRestitution
+            | Input::CushionRestitution => "R",
         }
     }
 
@@ -154,7 +165,7 @@ impl Input {
 pub struct Influence {
     /// The input.
     pub input: Input,
-    /// Derivative of every final position, length: by rad for the aim, by a relative change for speed and effects, by the number itself
+    /// Derivative of every position, length: by rad for the aim, by a relative change for speed and effects, by the number itself
     /// for a restitution.
     pub derivative: Vec<[f64; 2]>,
 }
@@ -163,10 +174,14 @@ impl Influence {
     /// The ball that the change of [`Input::change`] moves farthest, and how far at first order, length.
     pub fn largest(&self) -> Option<(usize, f64)> {
         let moved = |(ball, d): (usize, &[f64; 2])| (ball, d[0].hypot(d[1]) * self.input.size());
-        self.derivative.iter().enumerate().map(moved).fold(None, |most, next| match most {
-            Some((_, farthest)) if farthest >= next.1 => most,
-            _ => Some(next),
-        })
+        self.derivative
+            .iter()
+            .enumerate()
+            .map(moved)
+            .fold(None, |most, next| match most {
+                Some((_, farthest)) if farthest >= next.1 => most,
+                _ => Some(next),
+            })
     }
 
     /// How far the change of [`Input::change`] moves ball `ball` at first order, length.
@@ -176,10 +191,11 @@ impl Influence {
     }
 }
 
-/// The derivative of every final position by each input that the scene has. Empty if an event on the way has none, or the run did
-/// not reach its end.
-pub fn influences(scene: &Scene, trace: &Trace) -> Vec<Influence> {
-    if !matches!(trace.ending, Ending::Rest | Ending::Duration) {
+/// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
+///
+/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for.
+pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
+    if !trace.ending.is_complete() && until > trace.end_time {
         return Vec::new();
     }
     let inputs = inputs(scene);
@@ -203,13 +219,14 @@ pub fn influences(scene: &Scene, trace: &Trace) -> Vec<Influence> {
             motion[1][1] += seeded(Input::Aim, vx) + seeded(Input::Speed, vy);
         }
     });
-    replay.restitution = [Input::BallRestitution, Input::CushionRestitution].map(|e| seeded(e, 1.0));
-    while let Some(taken) = replay.step() {
-        if taken.is_err() {
+    replay.restitution =
+        [Input::BallRestitution, Input::CushionRestitution].map(|e| seeded(e, 1.0));
+    for _ in trace.events.iter().take_while(|event| event.time < until) {
+        if !matches!(replay.step(), Some(Ok(_))) {
             return Vec::new();
         }
     }
-    let ends = replay.states_at(trace.end_time);
+    let ends = replay.states_at(trace.end_time.min(until));
     let influence = |(lane, input): (usize, &Input)| Influence {
         input: *input,
         derivative: ends
@@ -217,7 +234,12 @@ pub fn influences(scene: &Scene, trace: &Trace) -> Vec<Influence> {
             .map(|[position, _]| position.map(|x| x.partials[lane]))
             .collect(),
     };
-    inputs.iter().take(LANES).enumerate().map(influence).collect()
+    inputs
+        .iter()
+        .take(LANES)
+        .enumerate()
+        .map(influence)
+        .collect()
 }
 
 /// The inputs that a scene has: a cue ball that moves, numbers of its effects, and the impacts that it calls for.

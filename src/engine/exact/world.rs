@@ -31,6 +31,8 @@ pub struct World<T> {
     pub touching: T,
     /// Simulated time, s.
     pub duration: T,
+    /// Largest coordinate that a centre can have, length.
+    pub extent: f64,
     /// What positions and velocities are good to.
     pub blur: Blur<T>,
     /// No ball is ever faster, length/s: all energy in the lightest.
@@ -90,6 +92,7 @@ impl<T: Real> World<T> {
             radius,
             touching: lift(scene.touching()),
             duration: lift(scene.duration),
+            extent,
             blur: Blur {
                 length: lift(ROUNDINGS * T::ULP * extent),
                 speed: lift(2.0 * ROUNDINGS * T::ULP * fastest),

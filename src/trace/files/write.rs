@@ -55,12 +55,9 @@ fn events(trace: &Trace) -> Result<String, FileError> {
             .map(|count| count.to_string())
             .unwrap_or_default();
         let certainty = trace.certainty.get(index).copied().unwrap_or_default();
-        let [margin, condition, time_error] = [
-            certainty.margin,
-            certainty.condition,
-            certainty.time_error,
-        ]
-        .map(|number| number.map(shortest).unwrap_or_default());
+        let [margin, condition, time_error] =
+            [certainty.margin, certainty.condition, certainty.time_error]
+                .map(|number| number.map(shortest).unwrap_or_default());
         sheet.row([
             &index.to_string(),
             &shortest(event.time),
