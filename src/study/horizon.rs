@@ -3,7 +3,9 @@
 //! Plan: the exact engine in one precision and in the next finer one. Conclusion: up to which event both can be right, and what moves
 //! the balls before.
 
-use super::compare::{describe_ending, describe_kind, describe_scene, describe_span};
+use super::compare::{
+    describe_ending, describe_growth, describe_kind, describe_scene, describe_span,
+};
 use crate::engine::exact::horizon::{BAND, Horizon, Limit, Sight, horizon};
 use crate::engine::exact::sensitivity::{Influence, influences};
 use crate::engine::exact::{Exact, Precision};
@@ -74,61 +76,39 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
     }
 }
 
-/// The horizon in one sentence.
-pub fn sentence(scene: &Scene, horizon: &Horizon) -> String {
+/// The horizon in one sentence, and the growth in another.
+fn sentence(scene: &Scene, horizon: &Horizon) -> String {
     let all = horizon.sights.len();
-    let precision = horizon.precision.id();
-    let grown = growth_words(horizon).map_or(String::new(), |words| format!(" {words}"));
-    let next = || {
-        let sight = horizon.sights.get(horizon.certain);
-        sight.map_or("the end".to_owned(), |sight| {
-            describe_kind(sight.event.kind, &horizon.trace)
-        })
-    };
-    let why = match horizon.limit {
-        Limit::Whole => {
-            return format!("{precision} is right about the whole shot: all {all} events.{grown}");
-        }
-        Limit::Order => format!(
-            "then {precision} and {} go different ways",
-            horizon.witness.id()
-        ),
-        Limit::Apart => format!(
-            "then {precision} and {} differ by more than {BAND:e} R",
-            horizon.witness.id()
-        ),
-        Limit::Margin => format!(
-            "then {} is too close to another event to be certain of its place",
-            next()
-        ),
-    };
-    format!(
-        "{precision} is right up to event {} of {all}, t = {:.4} {}: {why}.{grown}",
+    let (precision, witness) = (horizon.precision.id(), horizon.witness.id());
+    let reach = format!(
+        "{precision} is right up to event {} of {all}, t = {:.4} {}",
         horizon.certain, horizon.until, scene.units.time
-    )
-}
-
-/// `A perturbation of the start grows 812 x.`
-fn growth_words(horizon: &Horizon) -> Option<String> {
-    let growth = horizon.growth.as_ref()?;
-    let factor = short(growth.last());
-    Some(match growth.rough {
-        None => format!("A perturbation of the start grows {factor} x."),
-        Some(index) => format!(
-            "A perturbation of the start grows {factor} x by event {index}; the next was resolved together with others and has no \
-             derivative."
+    );
+    let first = match horizon.limit {
+        Limit::Whole if !horizon.trace.ending.is_complete() => format!(
+            "{precision} is right about {all} events, and then the run has no answer: it ends as {}",
+            horizon.trace.ending.id()
         ),
-    })
-}
-
-/// Three significant digits.
-fn short(x: f64) -> String {
-    if (1.0..1e5).contains(&x) {
-        let digits = (2 - x.log10().floor() as i32).max(0) as usize;
-        format!("{x:.digits$}")
-    } else {
-        format!("{x:.2e}")
-    }
+        Limit::Whole => format!("{precision} is right about the whole shot: all {all} events"),
+        Limit::Order => format!("{reach}: then {precision} and {witness} go different ways"),
+        Limit::Apart => {
+            format!("{reach}: then {precision} and {witness} differ by more than {BAND:e} R")
+        }
+        Limit::Margin => {
+            let next = horizon.sights.get(horizon.certain);
+            let next = next.map_or_else(String::new, |sight| {
+                describe_kind(sight.event.kind, &horizon.trace)
+            });
+            format!("{reach}: then {next} is too close to another event to be certain of its place")
+        }
+    };
+    let second = horizon.growth.as_ref().map(|growth| match growth.rough {
+        None => format!(" A perturbation of the start grows {}.", describe_growth(growth.last())),
+        Some(index) => format!(
+            " Its growth is known up to event {index} only: then a convention resolved several contacts at once."
+        ),
+    });
+    format!("{first}.{}", second.unwrap_or_default())
 }
 
 /// Which input moves a ball farthest, in one sentence.
@@ -139,6 +119,7 @@ fn matters_most(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> O
             let (ball, length) = influence.largest()?;
             Some((influence, ball, length / scene.smallest_radius()))
         })
+        .filter(|(_, _, length)| *length > 0.0)
         .collect();
     moved.sort_by(|a, b| b.2.total_cmp(&a.2));
     let (first, ball, length) = *moved.first()?;
@@ -171,8 +152,6 @@ fn short_length(r: f64) -> String {
     if (1e-3..1e4).contains(&r) {
         let digits = (1 - r.log10().floor() as i32).clamp(0, 5) as usize;
         format!("{r:.digits$}")
-    } else if r == 0.0 {
-        "0".to_owned()
     } else {
         format!("{r:.1e}")
     }

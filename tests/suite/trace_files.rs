@@ -330,9 +330,9 @@ fn example() -> Trace {
 fn files_have_the_columns_and_keys_that_other_programs_rely_on() {
     let files = files::write(&example()).unwrap();
     insta::assert_snapshot!(files.events, @r#"
-    index,time,kind,a,b,exchanges
-    0,0.5,ball-ball,cue,"a, ""b""",1
-    1,0.5,stop,cue,,
+    index,time,kind,a,b,exchanges,margin,condition,time_error
+    0,0.5,ball-ball,cue,"a, ""b""",1,inf,1.25,3e-17
+    1,0.5,stop,cue,,,,,
     "#);
     insta::assert_snapshot!(files.samples, @r#"
     time,ball,x,y,z,vx,vy,vz,wx,wy,wz,event
@@ -410,9 +410,21 @@ fn a_pocketed_ball_has_empty_numbers_and_keeps_its_path() {
     trace.events[1].kind = EventKind::Pocket(0, 3);
     trace.stop_times[0] = None;
     let files = files::write(&trace).unwrap();
-    assert_eq!(files.events.lines().nth(2), Some("1,0.5,pocket,cue,p3,"));
+    assert_eq!(files.events.lines().nth(2), Some("1,0.5,pocket,cue,p3,,,,"));
     assert_eq!(files.final_states.lines().nth(1), Some("cue,,,,,,,,,,"));
     assert_eq!(bits(&files::read(&files).unwrap()), bits(&trace));
+}
+
+#[test]
+fn certainty_is_unknown_where_its_columns_are_missing() {
+    let trace = example();
+    let mut files = files::write(&trace).unwrap();
+    let without = |line: &str| line.rsplitn(4, ',').last().unwrap().to_owned() + "\n";
+    files.events = files.events.lines().map(without).collect();
+    assert!(files.events.starts_with("index,time,kind,a,b,exchanges\n"));
+    let read = files::read(&files).unwrap();
+    assert_eq!(read.certainty, []);
+    assert_eq!(read.events, trace.events);
 }
 
 #[test]
@@ -447,7 +459,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.events = f.events.replace("1,0.5,stop,cue,,", "1,0.5,stop"),
-            "events.csv:3: expected 6 fields, as many as the first line has, and found 3",
+            "events.csv:3: expected 9 fields, as many as the first line has, and found 6",
         ),
         (
             |f| f.events = f.events.replace("\n1,", "\n2,"),
@@ -486,8 +498,12 @@ fn every_fault_is_named_by_file_line_and_column() {
             "events.csv:2: column `b`: `cue` with `cue`: expected two balls in the order of final.csv",
         ),
         (
-            |f| f.events = f.events.replace(",1\n", ",-1\n"),
+            |f| f.events = f.events.replace(",1,inf", ",-1,inf"),
             "events.csv:2: column `exchanges`: `-1`: expected a whole number, 0 or more",
+        ),
+        (
+            |f| f.events = f.events.replace("1.25", "often"),
+            "events.csv:2: column `condition`: `often`: expected a number",
         ),
         (
             |f| f.samples = f.samples.replace("2,cue", "0.2,cue"),

@@ -11,7 +11,7 @@ use super::simultaneous::Cluster;
 use super::tangent::{Replay, Script};
 use super::world::World;
 use crate::math::random::Draws;
-use crate::scene::Scene;
+use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Certainty, Ending, Event, EventKind, Trace};
 
 /// Certainty is not computed for more balls than this: the margin of an event looks at all of them.
@@ -52,6 +52,7 @@ pub fn certify(scene: &Scene, trace: &Trace, ulp: f64) -> Vec<Certainty> {
         let mut certainty = table.certainty(event);
         certainty.time_error = time_error;
         if !certainty.is_clear() && !table.order_matters(event, time_error.unwrap_or_default()) {
+            // what else there is at this instant makes no difference
             certainty.margin = table.margin_after(event);
         }
         table.pass(index, event);
@@ -180,7 +181,7 @@ impl<'a> Table<'a> {
         (next.time.min(end) - now).max(0.0)
     }
 
-    /// The margin where what else there is at this instant makes no difference: time from the event to the next one of its balls.
+    /// Time from the event to the next later one of its balls, s.
     fn margin_after(&self, event: &Event) -> Option<f64> {
         let events = &self.script.trace.events;
         let later = events
@@ -210,6 +211,10 @@ impl<'a> Table<'a> {
 
     /// True if impacts within `window` seconds of this one could come in another order with another result.
     fn order_matters(&self, event: &Event, window: f64) -> bool {
+        if self.script.scene.simultaneous == Simultaneous::GeneralizedReflections {
+            // the convention takes them all at once
+            return false;
+        }
         let (positions, velocities): (Vec<_>, Vec<_>) = self
             .flights
             .iter()

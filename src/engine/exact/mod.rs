@@ -115,6 +115,14 @@ impl Precision {
     }
 }
 
+impl Exact {
+    /// The precision that a setting asks for; `None` if it is no setting of this engine.
+    pub fn precision(setting: &Setting) -> Option<Precision> {
+        let settings: Settings = setting.read().ok()?;
+        Some(settings.precision)
+    }
+}
+
 impl Engine for Exact {
     fn id(&self) -> &'static str {
         "exact"
