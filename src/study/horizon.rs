@@ -54,6 +54,7 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
             horizon.witness.id()
         )),
     ];
+    blocks.push(Block::Figure(growth_figure(scene, horizon)));
     if let Some(sentence) = matters_most(scene, horizon, &influences) {
         blocks.push(Block::Text(sentence));
         blocks.push(Block::Table(influence_table(scene, &influences)));
@@ -64,7 +65,6 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
                 .to_owned(),
         ));
     }
-    blocks.push(Block::Figure(growth_figure(scene, horizon)));
     blocks.push(Block::Table(event_table(scene, horizon)));
     blocks.push(Block::Command(format!("carom horizon {}", scene.name)));
     Document {
