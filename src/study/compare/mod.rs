@@ -10,7 +10,7 @@ mod words;
 
 pub use causes::Cause;
 pub use page::{LengthUnit, page, summary, thumbnail};
-pub use words::{describe_ending, describe_event, describe_order, describe_scene};
+pub use words::{describe_ending, describe_event, describe_kind, describe_order, describe_scene};
 
 use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
