@@ -241,18 +241,27 @@ impl Perturbation {
         if speed > 0.0 {
             words.push(format!(
                 "speed of ball {ball}: uniform within {} % up and down",
-                100.0 * speed
+                // without the last digits of the product
+                (1e12 * speed).round() / 1e10
             ));
         }
         if gap > 0.0 {
+            let small = |x: f64| {
+                if x < 1e-3 {
+                    format!("{x:e}")
+                } else {
+                    x.to_string()
+                }
+            };
+            let (gap, room) = (small(gap), small(0.5 * gap));
             let opened = match self.touching {
                 0 => String::new(),
                 1 => format!("the touching pair is opened to {gap} R; "),
                 n => format!("the {n} touching pairs are opened to {gap} R; "),
             };
             words.push(format!(
-                "gaps: {opened}every resting ball is displaced uniformly within a disc of radius {} R, or half its smallest gap where that is less",
-                0.5 * gap
+                "gaps: {opened}every resting ball is displaced uniformly within a disc of radius {room} R, or half its smallest gap where \
+                 that is less"
             ));
         }
         words

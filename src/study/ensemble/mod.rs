@@ -127,7 +127,8 @@ pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
         return Err(EnsembleError::NoEngine);
     }
     let perturbation = Perturbation::new(&plan.scene, plan.law)?;
-    let sample = |index: usize| perturbation.sample(plan.seed, index as u64);
+    let seed = plan.seed;
+    let sample = |index: usize| perturbation.sample(seed, index as u64);
     let cells = matrix::run_samples(
         plan.samples,
         sample,
@@ -136,7 +137,7 @@ pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
         watch,
         |trace| trace.map(|trace| Landing::of(&trace)),
     );
-    let mut outcome = conclude(plan.clone(), perturbation.in_words(), cells);
+    let mut outcome = conclude(plan, perturbation.in_words(), cells);
     orders::spell_out(&mut outcome, sample, watch);
     Ok(outcome)
 }

@@ -165,7 +165,7 @@ fn against_first(outcome: &Outcome, first: &Entry, index: usize, entry: &Entry) 
 }
 
 /// Three significant digits.
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     if x == 0.0 || (1e-3..1e4).contains(&x) {
         format!("{x:.3}")
     } else {
@@ -267,8 +267,9 @@ fn ball_table(outcome: &Outcome) -> Table {
         Column::words("ball", "ball"),
         Column::words("engine", "engine"),
     ];
-    for quantity in Quantity::ALL {
-        let (id, unit) = (quantity.id(), quantity.unit(scene));
+    let scales = Quantity::ALL.map(|quantity| quantity.scale(scene));
+    for (quantity, (_, unit)) in Quantity::ALL.into_iter().zip(scales) {
+        let id = quantity.id();
         columns.push(Column::number(
             &format!("{id}-mean"),
             quantity.title(),
@@ -284,9 +285,9 @@ fn ball_table(outcome: &Outcome) -> Table {
     for (ball, id) in scene.balls.iter().map(|ball| &ball.id).enumerate() {
         for (index, entry) in outcome.entries.iter().enumerate() {
             let mut row = vec![Cell::text(id.clone()), Cell::text(entry.label())];
-            for distribution in &entry.distributions[ball] {
-                row.push(fixed(distribution, |d| Some(d.mean())));
-                row.push(fixed(distribution, Distribution::deviation));
+            for (distribution, (scale, _)) in entry.distributions[ball].iter().zip(scales) {
+                row.push(fixed(distribution, |d| Some(d.mean() / scale)));
+                row.push(fixed(distribution, |d| Some(d.deviation()? / scale)));
             }
             if several {
                 row.push(differences(outcome, index, ball));
@@ -297,7 +298,7 @@ fn ball_table(outcome: &Outcome) -> Table {
     let note = if several {
         format!(
             "Mean and standard deviation over the complete runs. Differs: by Kolmogorov and Smirnov against {}, with a \
-             p-value below {LEVEL} after Holm's correction for all {} tests here, and by more than {NEGLIGIBLE} R.",
+             p-value below {LEVEL} after Holm's correction for all {} tests here, and by more than {NEGLIGIBLE:e} R.",
             outcome.entries[0].label(),
             outcome.tests.len()
         )
