@@ -33,6 +33,8 @@ pub enum Command {
     Report(ReportArguments),
     /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
     Horizon(HorizonArguments),
+    /// Run many samples of one scene, varied by a stated law, and compare how the answers of engines are distributed.
+    Ensemble(EnsembleArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -90,6 +92,42 @@ pub struct CompareArguments {
     #[arg(long, value_parser = ["R", "scene"], default_value = "R")]
     pub units: String,
     /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom ensemble`.
+///
+/// Without --aim, --speed and --gap: aim 0.1, speed 0.01 and gap 1e-2, or 1e-5 where balls touch, as far as the scene has a
+/// ball that moves or rests; gaps alone where the scene says `simultaneous = "ensemble"`. With one of them: that one alone.
+#[derive(Debug, Args)]
+pub struct EnsembleArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// Number of samples.
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub samples: usize,
+    /// Seed of all draws; the same seed gives the same samples.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Engines with optional settings, as in `carom compare`; exact ones first, and the first is what the others are held
+    /// against. Rapier needs hundreds of times as long as the others.
+    #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
+    pub engines: String,
+    /// Aim of the cue ball: uniform within so many degrees to either side.
+    #[arg(long, value_name = "DEGREES")]
+    pub aim: Option<f64>,
+    /// Speed of the cue ball: uniform within this part of it, up and down.
+    #[arg(long, value_name = "PART")]
+    pub speed: Option<f64>,
+    /// Size of the gaps, in R: touching balls are opened to it, and every resting ball is displaced uniformly within a disc of
+    /// half this radius, or half its smallest gap where that is less.
+    #[arg(long, value_name = "R")]
+    pub gap: Option<f64>,
+    /// Folder for the page with all distributions and pictures.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }

@@ -5,6 +5,7 @@
 mod arguments;
 mod compare;
 mod engines;
+mod ensemble;
 mod horizon;
 mod output;
 mod report;
@@ -80,6 +81,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Compare(arguments)) => compare::compare(&arguments),
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
+        Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

@@ -7,6 +7,7 @@ pub mod first_root;
 mod octuple;
 pub mod random;
 pub mod real;
+pub mod statistics;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;

@@ -1,9 +1,10 @@
 //! Where balls may be: on the table, apart from each other, and at coordinates that f64 resolves.
 
-use super::Scene;
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
+use super::{Ball, Scene};
 use crate::physics::Side;
+use crate::physics::contact::plan_distance;
 
 /// Largest share of a radius that "touching" may be: beyond it coordinates are too large to hold the ball.
 const COARSEST: f64 = 1e-6;
@@ -87,31 +88,41 @@ fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec
 
 fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
     let slack = scene.touching();
-    let largest = scene.balls.iter().map(|b| b.radius).fold(0.0, f64::max);
+    let overlapping = pairs_within(&scene.balls, 0.0).filter(|(_, gap)| -gap > slack);
+    let found = overlapping.take(MOST);
+    problems.extend(found.map(|(pair, gap)| overlap_of(scene, paths, at, pair, -gap)));
+}
+
+/// Pairs of balls whose surfaces are at most `reach` apart in plan, length, with their gap; negative where they overlap.
+pub(super) fn pairs_within(
+    balls: &[Ball],
+    reach: f64,
+) -> impl Iterator<Item = ((usize, usize), f64)> {
+    let largest = balls.iter().map(|b| b.radius).fold(0.0, f64::max);
     // sweep along the axis on which the balls spread more, so that a row of many balls stays cheap
     let spread = |axis: usize| {
-        let along = scene.balls.iter().map(|b| b.state.position[axis]);
+        let along = balls.iter().map(|b| b.state.position[axis]);
         let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
             (low.min(x), high.max(x))
         });
         high - low
     };
     let axis = usize::from(spread(1) > spread(0));
-    let along = |i: usize| scene.balls[i].state.position[axis];
-    let mut order: Vec<usize> = (0..scene.balls.len()).collect();
+    let along = move |i: usize| balls[i].state.position[axis];
+    let mut order: Vec<usize> = (0..balls.len()).collect();
     order.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
-    let near = order.iter().enumerate().flat_map(|(k, &i)| {
+    let near = (0..order.len()).flat_map(move |k| {
+        let i = order[k];
         let after = order[k + 1..].iter();
-        let near = after.take_while(move |&&j| along(j) - along(i) <= 2.0 * largest);
-        near.map(move |&j| (i.min(j), i.max(j)))
+        let near = after.take_while(|&&j| along(j) - along(i) <= 2.0 * largest + reach);
+        let near: Vec<_> = near.map(|&j| (i.min(j), i.max(j))).collect();
+        near
     });
-    let overlapping = near.filter_map(|(i, j)| {
-        let apart = scene.balls[i].state.position - scene.balls[j].state.position;
-        let overlap = scene.contact_distance(i, j) - apart.xy().norm();
-        (overlap > slack).then_some((i, j, overlap))
-    });
-    let found = overlapping.take(MOST);
-    problems.extend(found.map(|(i, j, overlap)| overlap_of(scene, paths, at, (i, j), overlap)));
+    near.filter_map(move |(i, j)| {
+        let apart = balls[i].state.position - balls[j].state.position;
+        let gap = apart.xy().norm() - plan_distance(balls[i].radius, balls[j].radius);
+        (gap <= reach).then_some(((i, j), gap))
+    })
 }
 
 fn overlap_of(

@@ -12,6 +12,7 @@ pub mod generate;
 mod geometry;
 mod located;
 mod names;
+pub mod perturb;
 mod rack;
 mod resolve;
 mod resolved;

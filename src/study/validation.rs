@@ -2,6 +2,7 @@
 
 use super::claims::{self, Claim};
 use super::compare::{self, Cause, Outcome, PairOutcome};
+use super::ensemble;
 use super::matrix::{Column, Timing, Watch};
 use crate::engine::ENGINES;
 use crate::finding::{
@@ -31,20 +32,16 @@ pub fn study(
         progress: &|_, _, _| {},
         cancelled: watch.cancelled,
     };
-    let mut outcomes = Vec::new();
+    let (mut outcomes, mut surroundings) = (Vec::new(), Vec::new());
     for (done, scene) in scenes.iter().enumerate() {
         if watch.is_cancelled() {
             break;
         }
         (watch.progress)(done, total, &scene.name);
         let richer = scene.richer.as_deref().map(catalogue::scene).transpose()?;
-        outcomes.push(compare::study(
-            scene,
-            richer.as_ref(),
-            columns,
-            Timing::Alone,
-            silent,
-        ));
+        let outcome = compare::study(scene, richer.as_ref(), columns, Timing::Alone, silent);
+        surroundings.push(ensemble::surroundings(&outcome, silent));
+        outcomes.push(outcome);
     }
     (watch.progress)(scenes.len(), total, "the report's claims");
     let claims = if watch.is_cancelled() {
@@ -53,7 +50,11 @@ pub fn study(
         claims::audit(silent)?
     };
     (watch.progress)(total, total, "done");
-    Ok(conclude(scenes.len(), &outcomes, &claims, columns))
+    let mut document = conclude(scenes.len(), &outcomes, &claims, columns);
+    for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
+        ensemble::surround(page, blocks);
+    }
+    Ok(document)
 }
 
 fn conclude(
