@@ -3,7 +3,7 @@
 //! - [`flight`]: a ball between two events, for any cloth.
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
-//! - `queue`: which ball is next.
+//! - `queue`: which ball is next; `cells`: who may meet whom, where there are many balls.
 //! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
 //! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
 //!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
@@ -11,11 +11,12 @@
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
-//! the table, and cells or neighbour lists only have to narrow the partners of a row.
+//! the table, and `cells` narrow the partners of a row where there are many balls.
 //!
 //! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod cells;
 mod collapse;
 mod doubt;
 pub mod flight;
@@ -31,6 +32,7 @@ mod solve;
 mod world;
 
 pub use solution::{Solution, final_positions, solve};
+pub use solve::Partners;
 
 use super::setting::{knobs_of, parameters};
 use super::sheet::Role;
@@ -58,6 +60,8 @@ pub struct Exact;
 pub struct Settings {
     /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits. States are rounded to f64 in the trace only.
     pub precision: Precision,
+    /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
+    pub partners: Partners,
 }
 
 /// The scalar of a run.
@@ -136,7 +140,8 @@ impl Engine for Exact {
         if matches!(
             setting.read(),
             Ok(Settings {
-                precision: Precision::F32
+                precision: Precision::F32,
+                ..
             })
         ) {
             return vec![Invariant::Finite, Invariant::Rerun];
@@ -182,6 +187,7 @@ impl Engine for Exact {
         match setting.read::<Settings>() {
             Ok(Settings {
                 precision: Precision::F32,
+                ..
             }) => {
                 vec![(
                     "the arithmetic",
@@ -207,12 +213,11 @@ impl Engine for Exact {
             resolution: 0.0,
             rest_speed: 0.0,
         };
-        let precision = settings.precision;
-        Ok(match precision {
-            Precision::F64 => Prepared::<f64>::boxed(scene, provenance, precision),
-            Precision::F32 => Prepared::<f32>::boxed(scene, provenance, precision),
-            Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, precision),
-            Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, precision),
+        Ok(match settings.precision {
+            Precision::F64 => Prepared::<f64>::boxed(scene, provenance, &settings),
+            Precision::F32 => Prepared::<f32>::boxed(scene, provenance, &settings),
+            Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, &settings),
+            Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, &settings),
         })
     }
 }
@@ -226,12 +231,14 @@ struct Prepared<'a, T: Real> {
 }
 
 impl<'a, T: Real> Prepared<'a, T> {
-    fn boxed(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Box<dyn Run + 'a> {
+    fn boxed(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Box<dyn Run + 'a> {
+        let mut solver = Solver::<T>::new(scene);
+        solver.partners = settings.partners;
         Box::new(Prepared {
             scene,
-            solver: Solver::<T>::new(scene),
+            solver,
             provenance,
-            precision,
+            precision: settings.precision,
         })
     }
 }

@@ -20,6 +20,8 @@ pub enum What {
     UnclearPair(u32, u32),
     /// It is not clear from then on whether it meets a cushion.
     UnclearCushion(u32, Side),
+    /// It leaves its square of the cells: nothing of the trace.
+    Leaving(u32, Side),
     /// It has none.
     Nothing,
 }
@@ -46,7 +48,7 @@ impl<T: Real> Candidate<T> {
     }
 
     /// Earlier, or at the same time earlier in scene order.
-    fn precedes(&self, other: &Self) -> bool {
+    pub fn precedes(&self, other: &Self) -> bool {
         match self.time.partial_cmp(&other.time) {
             Some(Ordering::Less) => true,
             Some(Ordering::Equal) => self.what < other.what,
