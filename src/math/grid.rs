@@ -121,14 +121,22 @@ mod tests {
             points.push([1e12 * width, -1e12 * length]);
             let grid = Grid::over(&points, least, n);
             assert!(grid.size() >= least);
-            points.extend(points.clone().iter().map(|p| [p[0] + 0.7 * least, p[1] - 0.7 * least]));
+            points.extend(
+                points
+                    .clone()
+                    .iter()
+                    .map(|p| [p[0] + 0.7 * least, p[1] - 0.7 * least]),
+            );
             let mut pairs = 0;
             for a in &points {
                 for b in &points {
                     if (a[0] - b[0]).hypot(a[1] - b[1]) < grid.size() {
                         let square = grid.square(grid.place(*b));
                         let around = grid.around(grid.place(*a));
-                        assert!(around.iter().any(|row| row.contains(&square)), "{a:?} {b:?}");
+                        assert!(
+                            around.iter().any(|row| row.contains(&square)),
+                            "{a:?} {b:?}"
+                        );
                         assert!(around[2].end <= grid.squares());
                         pairs += 1;
                     }
@@ -147,7 +155,14 @@ mod tests {
             // 1000, one more column and row where a side is a fraction, and the ring
             assert!(grid.squares() <= 3 * 1001 + 6, "{grid:?}");
             // outliers do not make it coarse
-            assert!(grid.size() <= 1.5 * (width * length / 1000.0).sqrt().max(width.max(length) / 1000.0) + 1e-299);
+            assert!(
+                grid.size()
+                    <= 1.5
+                        * (width * length / 1000.0)
+                            .sqrt()
+                            .max(width.max(length) / 1000.0)
+                        + 1e-299
+            );
         }
     }
 
@@ -162,8 +177,14 @@ mod tests {
                 let [low, high] = grid.edges(axis, place[axis]);
                 // edges and places are rounded apart
                 let rounding = 4.0 * f64::EPSILON * 5.0;
-                assert!(low.is_none_or(|low| low <= point[axis] + rounding), "{point:?}");
-                assert!(high.is_none_or(|high| high >= point[axis] - rounding), "{point:?}");
+                assert!(
+                    low.is_none_or(|low| low <= point[axis] + rounding),
+                    "{point:?}"
+                );
+                assert!(
+                    high.is_none_or(|high| high >= point[axis] - rounding),
+                    "{point:?}"
+                );
                 bounded += usize::from(low.is_some() && high.is_some());
             }
         }

@@ -1,8 +1,9 @@
 //! Where balls may be: on the table, apart from each other, and at coordinates that f64 resolves.
 
-use super::Scene;
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
+use super::{Ball, Scene};
+use crate::math::grid::Grid;
 use crate::physics::Side;
 
 /// Largest share of a radius that "touching" may be: beyond it coordinates are too large to hold the ball.
@@ -88,22 +89,20 @@ fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec
 fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
     let slack = scene.touching();
     let largest = scene.balls.iter().map(|b| b.radius).fold(0.0, f64::max);
-    // sweep along the axis on which the balls spread more, so that a row of many balls stays cheap
-    let spread = |axis: usize| {
-        let along = scene.balls.iter().map(|b| b.state.position[axis]);
-        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
-        high - low
-    };
-    let axis = usize::from(spread(1) > spread(0));
-    let along = |i: usize| scene.balls[i].state.position[axis];
-    let mut order: Vec<usize> = (0..scene.balls.len()).collect();
-    order.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
-    let near = order.iter().enumerate().flat_map(|(k, &i)| {
-        let after = order[k + 1..].iter();
-        let near = after.take_while(move |&&j| along(j) - along(i) <= 2.0 * largest);
-        near.map(move |&j| (i.min(j), i.max(j)))
+    let centre = |ball: &Ball| [ball.state.position.x, ball.state.position.y];
+    let centres: Vec<[f64; 2]> = scene.balls.iter().map(centre).collect();
+    // wider than a contact, so that no overlap is hidden by rounding
+    let grid = Grid::over(&centres, 2.5 * largest, centres.len());
+    let square = |i: usize| grid.square(grid.place(centres[i]));
+    let mut order: Vec<(usize, usize)> = (0..centres.len()).map(|i| (square(i), i)).collect();
+    order.sort_unstable();
+    let (grid, order, centres) = (&grid, &order, &centres);
+    let near = (0..centres.len()).flat_map(move |i| {
+        let rows = grid.around(grid.place(centres[i])).into_iter();
+        let first = |square: usize| order.partition_point(|entry| entry.0 < square);
+        let balls = rows.flat_map(move |row| &order[first(row.start)..first(row.end)]);
+        let before = balls.filter(move |(_, j)| *j < i);
+        before.map(move |(_, j)| (*j, i))
     });
     let overlapping = near.filter_map(|(i, j)| {
         let apart = scene.balls[i].state.position - scene.balls[j].state.position;

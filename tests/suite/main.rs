@@ -10,6 +10,7 @@ mod exact;
 mod exact_endings;
 mod exact_laws;
 mod exact_reflections;
+mod exact_scale;
 mod exact_symmetries;
 mod precision;
 mod random;

@@ -221,10 +221,7 @@ impl<T: Real> View<'_, T> {
             };
             best.or(since, self.versions[other], found, || {
                 let (first, second) = (ball.min(other) as u32, ball.max(other) as u32);
-                (
-                    What::Pair(first, second),
-                    What::UnclearPair(first, second),
-                )
+                (What::Pair(first, second), What::UnclearPair(first, second))
             });
         }
     }

@@ -95,12 +95,7 @@ impl<'a, T: Real> Cluster<'a, T> {
     }
 
     /// `positions`: of the members; `pairs`: balls within reach of each other, by scene order.
-    fn find_touches(
-        &mut self,
-        positions: &[[T; 2]],
-        pairs: &[(usize, usize, [T; 2])],
-        window: T,
-    ) {
+    fn find_touches(&mut self, positions: &[[T; 2]], pairs: &[(usize, usize, [T; 2])], window: T) {
         let world = self.world;
         let mut pairs = pairs.iter().peekable();
         for (first, a) in self.balls.iter().copied().enumerate() {

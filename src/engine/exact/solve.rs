@@ -241,9 +241,7 @@ impl<T: Real> Loop<'_, T> {
             }
             return;
         }
-        let positions: Vec<[f64; 2]> = (0..n)
-            .map(|ball| self.place(ball).map(T::to_f64))
-            .collect();
+        let positions: Vec<[f64; 2]> = (0..n).map(|ball| self.place(ball).map(T::to_f64)).collect();
         self.counts.cell_layouts += 1;
         let world = &self.solver.world;
         let (widest, blur) = (world.widest_distance(), world.blur_of_places());
