@@ -13,7 +13,7 @@ use crate::math::grid::Grid;
 use crate::physics::Side;
 
 /// Balls from which on cells are worth their trouble: below, looking at every ball is as quick (`benches/scale.rs` prints both).
-pub const ENOUGH_BALLS: usize = 40;
+pub const ENOUGH_BALLS: usize = 20;
 
 /// Sides of squares, in largest contact distances. Narrower ones are left more often, wider ones hold more balls.
 const WIDTH: f64 = 1.125;

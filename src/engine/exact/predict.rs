@@ -80,31 +80,31 @@ impl<T: Real> View<'_, T> {
         except: Option<Near>,
         notes: &mut Notes<T>,
     ) -> Candidate<T> {
-        let mut best = self.alone(ball, except, notes);
+        let mut best = self.end(ball);
         self.among(ball, partners, except, &mut best, notes);
         best.time = best.time.at_least(now);
         best
     }
 
-    /// The next event of `ball` that needs no other ball; `Nothing` at the end of the run if there is none.
+    /// The end of the phase of `ball`; `Nothing` at the end of the run if that comes first.
     #[inline]
-    pub fn alone(&self, ball: usize, except: Option<Near>, notes: &mut Notes<T>) -> Candidate<T> {
+    pub fn end(&self, ball: usize) -> Candidate<T> {
         let flight = &self.flights[ball];
-        let mut best = Candidate {
-            time: self.world.duration,
-            ..Candidate::none()
-        };
-        if flight.moves() {
-            if flight.end <= best.time {
-                best.time = flight.end;
-                best.what = What::End(ball as u32);
+        if flight.end <= self.world.duration {
+            Candidate {
+                time: flight.end,
+                what: What::End(ball as u32),
+                stamp: 0,
             }
-            self.cushions(ball, except, &mut best, notes);
+        } else {
+            Candidate {
+                time: self.world.duration,
+                ..Candidate::none()
+            }
         }
-        best
     }
 
-    /// Replaces `best` by an event of `ball` with one of `partners` that precedes it.
+    /// Replaces `best` by an event of `ball` with a cushion or one of `partners` that precedes it.
     #[inline]
     pub fn among(
         &self,
@@ -114,6 +114,9 @@ impl<T: Real> View<'_, T> {
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
     ) {
+        if self.flights[ball].moves() {
+            self.cushions(ball, except, best, notes);
+        }
         if self.world.contact.is_some() {
             self.balls(ball, partners, except, best, notes);
         }
@@ -149,9 +152,14 @@ impl<T: Real> View<'_, T> {
             {
                 continue;
             }
-            notes.root_calls += 1;
             let blur = &self.world.blur;
             let limit = later(best.time) - flight.start;
+            // too far away for the time that is left
+            let most = speed + acceleration.at_least(T::zero()) * limit;
+            if gap > most * limit + blur.length * T::lift(4.0) {
+                continue;
+            }
+            notes.root_calls += 1;
             let found = first_crossing(gap, speed, acceleration, limit, blur);
             // x before y in a corner; a cushion before the end of a phase
             best.or(flight.start, 0, found, || {

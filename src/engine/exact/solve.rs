@@ -265,7 +265,7 @@ impl<T: Real> Loop<'_, T> {
         let next = match &mut self.cells {
             None => view.next_event(ball, self.now, all, except, &mut self.notes),
             Some(cells) => {
-                let mut best = view.alone(ball, except, &mut self.notes);
+                let mut best = view.end(ball);
                 let flight = &self.solver.flights[ball];
                 if flight.moves() {
                     cells.leaving(ball, flight, self.now, &mut best);
