@@ -89,13 +89,13 @@ fn differences_from(scene: &Scene, inside: &Inside) -> Vec<String> {
         ];
         for (what, g, w) in vectors {
             for (axis, name) in ["x", "y", "z"].iter().enumerate() {
-                check.number(&at(&format!("{what} {name}")), g[axis], w[axis]);
+                check.number(|| at(&format!("{what} {name}")), g[axis], w[axis]);
             }
         }
-        check.number(&at("mass"), got.mass, want.mass);
-        check.number(&at("radius"), got.radius, want.radius);
+        check.number(|| at("mass"), got.mass, want.mass);
+        check.number(|| at("radius"), got.radius, want.radius);
         check.inertia(
-            &at("inertia"),
+            || at("inertia"),
             inside.inertia.get(i).copied().flatten(),
             scene.inertia(i),
         );
@@ -103,7 +103,7 @@ fn differences_from(scene: &Scene, inside: &Inside) -> Vec<String> {
     let energy_ulps = 8.0 + scene.balls.len() as f64;
     check.within(
         energy_ulps,
-        "kinetic energy",
+        || "kinetic energy".to_owned(),
         inside.energy,
         scene.initial_energy(),
     );
@@ -117,48 +117,55 @@ struct Check {
 }
 
 impl Check {
-    fn number(&mut self, what: &str, got: f64, want: f64) {
+    fn number(&mut self, what: impl FnOnce() -> String, got: f64, want: f64) {
         self.within(4.0, what, got, want);
     }
 
-    fn within(&mut self, ulps: f64, what: &str, got: f64, want: f64) {
+    /// `what` is put into words only if it differs.
+    fn within(&mut self, ulps: f64, what: impl FnOnce() -> String, got: f64, want: f64) {
         // false for NaN as well
         let close = (got - want).abs() <= ulps * self.ulp * got.abs().max(want.abs());
         if !close {
             self.found
-                .push(format!("{what} is {got} instead of {want}"));
+                .push(format!("{} is {got} instead of {want}", what()));
         }
     }
 
-    fn inertia(&mut self, what: &str, got: Option<f64>, want: Option<f64>) {
+    fn inertia(&mut self, what: impl FnOnce() -> String, got: Option<f64>, want: Option<f64>) {
         match (got, want) {
             (Some(g), Some(w)) => self.number(what, g, w),
             (None, None) => {}
             (Some(g), None) => self.found.push(format!(
-                "{what} is {g}, but the scene calls for no rotation"
+                "{} is {g}, but the scene calls for no rotation",
+                what()
             )),
-            (None, Some(w)) => self.found.push(format!("{what} is locked instead of {w}")),
+            (None, Some(w)) => {
+                self.found
+                    .push(format!("{} is locked instead of {w}", what()));
+            }
         }
     }
 
     fn materials(&mut self, scene: &Scene, inside: &Inside) {
-        for ball in 0..scene.balls.len() {
+        let mut of_balls: Vec<Vec<&PairMaterial>> = vec![Vec::new(); scene.balls.len()];
+        for material in &inside.materials {
+            if let Some(of_ball) = of_balls.get_mut(material.ball) {
+                of_ball.push(material);
+            }
+        }
+        for (ball, of_ball) in of_balls.iter().enumerate() {
             for partner in expected_partners(scene) {
                 let at = |what: &str| {
                     format!("{what} of ball {} with a {partner:?}", scene.balls[ball].id)
                 };
                 let (friction, restitution) = expected_material(scene, partner);
-                let mut materials = inside
-                    .materials
-                    .iter()
-                    .filter(|m| m.ball == ball && m.partner == partner)
-                    .peekable();
+                let mut materials = of_ball.iter().filter(|m| m.partner == partner).peekable();
                 if materials.peek().is_none() {
                     self.found.push(at("no material"));
                 }
                 for material in materials {
-                    self.number(&at("friction"), material.friction, friction);
-                    self.number(&at("restitution"), material.restitution, restitution);
+                    self.number(|| at("friction"), material.friction, friction);
+                    self.number(|| at("restitution"), material.restitution, restitution);
                 }
             }
         }

@@ -1,9 +1,11 @@
-//! Numbers without physics: scalars, vectors, the first root of a contact quartic, statistics, seeded random numbers.
+//! Numbers without physics: scalars, vectors, the first root of a contact quartic, points sorted into squares, statistics,
+//! seeded random numbers.
 
 pub mod angle;
 pub mod double_double;
 pub mod dual;
 pub mod first_root;
+pub mod grid;
 mod octuple;
 pub mod random;
 pub mod real;

@@ -3,6 +3,7 @@
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
 use super::{Ball, Scene};
+use crate::math::grid::Grid;
 use crate::physics::Side;
 use crate::physics::contact::plan_distance;
 
@@ -99,24 +100,19 @@ pub(super) fn pairs_within(
     reach: f64,
 ) -> impl Iterator<Item = ((usize, usize), f64)> {
     let largest = balls.iter().map(|b| b.radius).fold(0.0, f64::max);
-    // sweep along the axis on which the balls spread more, so that a row of many balls stays cheap
-    let spread = |axis: usize| {
-        let along = balls.iter().map(|b| b.state.position[axis]);
-        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
-        high - low
-    };
-    let axis = usize::from(spread(1) > spread(0));
-    let along = move |i: usize| balls[i].state.position[axis];
-    let mut order: Vec<usize> = (0..balls.len()).collect();
-    order.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
-    let near = (0..order.len()).flat_map(move |k| {
-        let i = order[k];
-        let after = order[k + 1..].iter();
-        let near = after.take_while(|&&j| along(j) - along(i) <= 2.0 * largest + reach);
-        let near: Vec<_> = near.map(|&j| (i.min(j), i.max(j))).collect();
-        near
+    let centre = |ball: &Ball| [ball.state.position.x, ball.state.position.y];
+    let centres: Vec<[f64; 2]> = balls.iter().map(centre).collect();
+    // wider than a contact, so that no overlap is hidden by rounding
+    let grid = Grid::over(&centres, 2.5 * largest + reach, centres.len());
+    let square = |i: usize| grid.square(grid.place(centres[i]));
+    let mut order: Vec<(usize, usize)> = (0..centres.len()).map(|i| (square(i), i)).collect();
+    order.sort_unstable();
+    let near = (0..centres.len()).flat_map(move |i| {
+        let rows = grid.around(grid.place(centres[i])).into_iter();
+        let first = |square: usize| order.partition_point(|entry| entry.0 < square);
+        let balls = rows.flat_map(|row| &order[first(row.start)..first(row.end)]);
+        let before = balls.filter(|(_, j)| *j < i);
+        before.map(|(_, j)| (*j, i)).collect::<Vec<_>>()
     });
     near.filter_map(move |(i, j)| {
         let apart = balls[i].state.position - balls[j].state.position;

@@ -156,8 +156,15 @@ impl Ending {
 impl Trace {
     /// Last state of every ball, in scene order; `None` for a pocketed ball, which is no longer on the table.
     pub fn final_states(&self) -> Vec<Option<State>> {
-        let last = |(i, path): (usize, &Path)| if self.pocketed(i) { None } else { path.last() };
-        self.paths.iter().enumerate().map(last).collect()
+        let mut last: Vec<Option<State>> = self.paths.iter().map(Path::last).collect();
+        for event in &self.events {
+            if let EventKind::Pocket(ball, _) = event.kind
+                && let Some(state) = last.get_mut(ball as usize)
+            {
+                *state = None;
+            }
+        }
+        last
     }
 
     /// Keeps what [`Record::Final`] keeps of a fuller record: first and last states, stop times, extrema and counters.

@@ -12,6 +12,7 @@ mod exact_certainty;
 mod exact_endings;
 mod exact_laws;
 mod exact_reflections;
+mod exact_scale;
 mod exact_symmetries;
 mod horizon;
 mod perturb;

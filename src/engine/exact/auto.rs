@@ -2,7 +2,7 @@
 
 use super::certainty::{MOST_BALLS, certify};
 use super::solve::Solver;
-use super::{Precision, Prepared};
+use super::{Prepared, Settings};
 use crate::engine::{Inside, Limits, Parameter, Refusal, Run};
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::scene::Scene;
@@ -18,7 +18,11 @@ pub struct Escalating<'a> {
 
 impl<'a> Escalating<'a> {
     /// The scene in f64, where every run begins.
-    pub fn boxed(scene: &'a Scene, provenance: Provenance) -> Result<Box<dyn Run + 'a>, Refusal> {
+    pub fn boxed(
+        scene: &'a Scene,
+        provenance: Provenance,
+        settings: &Settings,
+    ) -> Result<Box<dyn Run + 'a>, Refusal> {
         if scene.balls.len() > MOST_BALLS {
             return Err(Refusal::Setting {
                 message: format!(
@@ -28,7 +32,7 @@ impl<'a> Escalating<'a> {
                 ),
             });
         }
-        let start = Prepared::new(scene, provenance, Precision::Auto);
+        let start = Prepared::new(scene, provenance, settings);
         Ok(Box::new(Escalating { start }))
     }
 }

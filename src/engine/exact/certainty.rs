@@ -215,14 +215,11 @@ impl<'a> Table<'a> {
             // the convention takes them all at once
             return false;
         }
-        let (positions, velocities): (Vec<_>, Vec<_>) = self
-            .flights
-            .iter()
-            .map(|flight| flight.at(event.time))
-            .unzip();
+        let state = |ball: usize| self.flights[ball].at(event.time);
+        let everyone = |_: usize| (0..self.flights.len()).collect();
         let (a, b) = event.kind.balls();
         let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
-        Cluster::around(&self.world, &seeds, &positions, &velocities, window).order_matters()
+        Cluster::around(&self.world, &seeds, &state, &everyone, window).order_matters()
     }
 
     /// Takes the balls of an event to its far side.

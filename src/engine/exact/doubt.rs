@@ -31,7 +31,8 @@ impl<T: Real> Loop<'_, T> {
     /// Something else is within reach of an impact: does the order matter?
     #[cold]
     pub fn doubt(&mut self, sides: &[Party<T>], window: T) -> Outcome {
-        let near = std::mem::take(&mut self.notes.near);
+        let mut near = std::mem::take(&mut self.notes.near);
+        near.sort_unstable();
         let live = |velocity: &dyn Fn(usize) -> [T; 2]| {
             let closes = |near: &&Near| self.closes(near, velocity, window);
             near.iter().filter(closes).count()
@@ -51,21 +52,16 @@ impl<T: Real> Loop<'_, T> {
         if before == 0 && after < enough {
             return Outcome::Alone;
         }
-        let n = self.versions.len();
-        let positions: Vec<_> = (0..n)
-            .map(|i| self.solver.flights[i].at(self.now).0)
-            .collect();
-        let velocities: Vec<_> = if before > 0 || together {
-            (0..n).map(earlier).collect()
-        } else {
-            (0..n).map(now).collect()
-        };
         let seeds: Vec<usize> = sides.iter().map(|side| side.ball).collect();
         if together {
             self.take_back(sides);
-            return Outcome::Together(self.shock(&seeds, &positions, &velocities, window));
+            return Outcome::Together(self.shock(&seeds, window));
         }
-        let cluster = Cluster::around(&self.solver.world, &seeds, &positions, &velocities, window);
+        let state = |ball: usize| {
+            let velocity = if before > 0 { earlier(ball) } else { now(ball) };
+            (self.place(ball), velocity)
+        };
+        let cluster = self.cluster(&seeds, &state, window);
         if !cluster.order_matters() {
             return Outcome::Alone;
         }
@@ -78,6 +74,20 @@ impl<T: Real> Loop<'_, T> {
             balls,
             happened: before == 0,
         })
+    }
+
+    /// The cluster around `seeds`, whose balls have `state`: centre and velocity.
+    pub fn cluster(
+        &self,
+        seeds: &[usize],
+        state: &dyn Fn(usize) -> ([T; 2], [T; 2]),
+        window: T,
+    ) -> Cluster<'_, T> {
+        let world = &self.solver.world;
+        // no two balls close in faster than this
+        let gap = world.touching + (world.fastest + world.fastest) * window;
+        let neighbours = |ball: usize| self.neighbours(ball, gap);
+        Cluster::around(world, seeds, state, &neighbours, window)
     }
 
     /// Undoes an impact: its balls are on the flights that led to it.
@@ -114,7 +124,8 @@ impl<T: Real> Loop<'_, T> {
         closing > world.blur.speed && gap <= world.touching + closing * window
     }
 
-    fn place(&self, ball: usize) -> [T; 2] {
+    /// Where a ball is now.
+    pub fn place(&self, ball: usize) -> [T; 2] {
         self.solver.flights[ball].at(self.now).0
     }
 
@@ -143,7 +154,8 @@ impl<T: Real> Loop<'_, T> {
     /// A ball stopped within the blur of another: did it reach it?
     #[cold]
     pub fn stop_in_doubt(&mut self, ball: usize, flight: &Flight<T>) -> Option<Ending> {
-        let near = std::mem::take(&mut self.notes.near);
+        let mut near = std::mem::take(&mut self.notes.near);
+        near.sort_unstable();
         for neighbour in near {
             let Near::Pair(_, other) = neighbour else {
                 continue;

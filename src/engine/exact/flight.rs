@@ -114,6 +114,16 @@ impl<T: Real> Flight<T> {
         ([along(0), along(1)], [speed(0), speed(1)])
     }
 
+    /// The same as [`Flight::at`], without arithmetic at the start.
+    #[inline]
+    pub fn from(&self, t: T) -> ([T; 2], [T; 2]) {
+        if t == self.start {
+            (self.position, self.velocity)
+        } else {
+            self.at(t)
+        }
+    }
+
     /// Centre at the end of a flight that ends by itself, where the velocity is exactly zero.
     pub fn rest_position(&self) -> [T; 2] {
         let half = (self.end - self.start) * T::lift(0.5);

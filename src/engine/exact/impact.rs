@@ -158,11 +158,10 @@ impl<T: Real> Loop<'_, T> {
             self.solver.flights[side.ball] = flight;
             self.versions[side.ball] = self.versions[side.ball].wrapping_add(1);
         }
-        let all = 0..self.versions.len();
         for (i, side) in sides.iter().enumerate() {
             // the pair itself belongs to the row of the first
-            let known = (i > 0).then(|| Near::Pair(sides[0].ball, side.ball));
-            self.predict(side.ball, all.clone(), known);
+            let except = (i > 0).then(|| Near::Pair(sides[0].ball, side.ball));
+            self.predict(side.ball, except);
         }
     }
 

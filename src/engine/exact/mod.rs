@@ -3,7 +3,7 @@
 //! - [`flight`]: a ball between two events, for any cloth.
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
-//! - `queue`: which ball is next.
+//! - `queue`: which ball is next; `cells`: who may meet whom, where there are many balls.
 //! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
 //! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
 //!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
@@ -13,12 +13,13 @@
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
-//! the table, and cells or neighbour lists only have to narrow the partners of a row.
+//! the table, and `cells` narrow the partners of a row where there are many balls.
 //!
 //! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
 mod auto;
+mod cells;
 mod certainty;
 mod collapse;
 mod doubt;
@@ -39,6 +40,7 @@ mod world;
 
 pub use certainty::certify;
 pub use solution::{Solution, final_positions, solve};
+pub use solve::Partners;
 
 use super::setting::{knobs_of, parameters};
 use super::sheet::Role;
@@ -66,6 +68,8 @@ pub struct Exact;
 pub struct Settings {
     /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits; auto, f64 and more where an event is too close to call. States are rounded to f64 in the trace only.
     pub precision: Precision,
+    /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
+    pub partners: Partners,
 }
 
 /// The scalar of a run.
@@ -164,7 +168,8 @@ impl Engine for Exact {
         if matches!(
             setting.read(),
             Ok(Settings {
-                precision: Precision::F32
+                precision: Precision::F32,
+                ..
             })
         ) {
             return vec![Invariant::Finite, Invariant::Rerun];
@@ -210,6 +215,7 @@ impl Engine for Exact {
         match setting.read::<Settings>() {
             Ok(Settings {
                 precision: Precision::F32,
+                ..
             }) => {
                 vec![(
                     "the arithmetic",
@@ -235,13 +241,12 @@ impl Engine for Exact {
             resolution: 0.0,
             rest_speed: 0.0,
         };
-        let precision = settings.precision;
-        Ok(match precision {
-            Precision::F64 => Prepared::<f64>::boxed(scene, provenance, precision),
-            Precision::F32 => Prepared::<f32>::boxed(scene, provenance, precision),
-            Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, precision),
-            Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, precision),
-            Precision::Auto => auto::Escalating::boxed(scene, provenance)?,
+        Ok(match settings.precision {
+            Precision::F64 => Prepared::<f64>::boxed(scene, provenance, &settings),
+            Precision::F32 => Prepared::<f32>::boxed(scene, provenance, &settings),
+            Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, &settings),
+            Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, &settings),
+            Precision::Auto => auto::Escalating::boxed(scene, provenance, &settings)?,
         })
     }
 }
@@ -255,17 +260,19 @@ struct Prepared<'a, T: Real> {
 }
 
 impl<'a, T: Real> Prepared<'a, T> {
-    fn new(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Self {
+    fn new(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Self {
+        let mut solver = Solver::<T>::new(scene);
+        solver.partners = settings.partners;
         Prepared {
             scene,
-            solver: Solver::<T>::new(scene),
+            solver,
             provenance,
-            precision,
+            precision: settings.precision,
         }
     }
 
-    fn boxed(scene: &'a Scene, provenance: Provenance, precision: Precision) -> Box<dyn Run + 'a> {
-        Box::new(Prepared::<T>::new(scene, provenance, precision))
+    fn boxed(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Box<dyn Run + 'a> {
+        Box::new(Prepared::<T>::new(scene, provenance, settings))
     }
 }
 

@@ -5,7 +5,6 @@
 
 use crate::math::Real;
 use crate::physics::Side;
-use std::cmp::Ordering;
 
 /// What a ball's next event is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,6 +19,8 @@ pub enum What {
     UnclearPair(u32, u32),
     /// It is not clear from then on whether it meets a cushion.
     UnclearCushion(u32, Side),
+    /// It leaves its square of the cells: nothing of the trace.
+    Leaving(u32, Side),
     /// It has none.
     Nothing,
 }
@@ -46,63 +47,112 @@ impl<T: Real> Candidate<T> {
     }
 
     /// Earlier, or at the same time earlier in scene order.
-    fn precedes(&self, other: &Self) -> bool {
-        match self.time.partial_cmp(&other.time) {
-            Some(Ordering::Less) => true,
-            Some(Ordering::Equal) => self.what < other.what,
-            _ => false,
-        }
+    #[inline]
+    pub fn precedes(&self, other: &Self) -> bool {
+        self.time < other.time || (self.time == other.time && self.what < other.what)
     }
+}
+
+/// The winner of a subtree.
+#[derive(Clone, Copy, Debug)]
+struct Node<T> {
+    /// Time of its candidate: most comparisons need no more, and find it here instead of far away in memory.
+    time: T,
+    ball: u32,
 }
 
 /// The candidates of all balls, with the earliest at hand.
 #[derive(Clone, Debug)]
 pub struct Queue<T> {
     candidates: Vec<Candidate<T>>,
-    /// Node 1 is the root; node `leaves + i` is ball i. Each holds the winning ball of its subtree.
-    tree: Vec<u32>,
+    /// Inner nodes; 1 is the root. The children of the lowest ones are pairs of balls.
+    tree: Vec<Node<T>>,
     leaves: usize,
 }
 
 impl<T: Real> Queue<T> {
     /// A queue for `n` balls without events.
     pub fn new(n: usize) -> Self {
-        let leaves = n.next_power_of_two().max(1);
-        let last = n.saturating_sub(1);
-        let mut tree: Vec<u32> = (0..2 * leaves)
-            .map(|node| node.saturating_sub(leaves).min(last) as u32)
-            .collect();
-        for node in (1..leaves).rev() {
-            tree[node] = tree[2 * node];
-        }
+        let leaves = n.next_power_of_two().max(2);
+        let nothing = Candidate::<T>::none();
+        // the winner where nothing is to be won is the leftmost ball
+        let leftmost = |node: usize| (node << (leaves.ilog2() - node.ilog2())) - leaves;
+        let tree = (0..leaves).map(|node| Node {
+            time: nothing.time,
+            ball: leftmost(node.max(1)) as u32,
+        });
         Queue {
-            candidates: vec![Candidate::none(); n],
-            tree,
+            candidates: vec![nothing; n],
+            tree: tree.collect(),
             leaves,
         }
     }
 
     /// Replaces the candidate of a ball.
+    #[inline]
     pub fn set(&mut self, ball: usize, candidate: Candidate<T>) {
         self.candidates[ball] = candidate;
-        let mut node = (self.leaves + ball) / 2;
-        while node > 0 {
-            let (left, right) = (self.tree[2 * node], self.tree[2 * node + 1]);
-            let right_wins =
-                self.candidates[right as usize].precedes(&self.candidates[left as usize]);
-            self.tree[node] = if right_wins { right } else { left };
+        let mut winner = Node {
+            time: candidate.time,
+            ball: ball as u32,
+        };
+        let mut node = self.leaves + ball;
+        while node > 1 {
+            let rival = self.rival(node);
+            // ties go to the left
+            let beaten = if node % 2 == 0 {
+                self.beats(rival, winner)
+            } else {
+                !self.beats(winner, rival)
+            };
+            if beaten {
+                winner = rival;
+            }
             node /= 2;
+            let holder = &mut self.tree[node];
+            if holder.ball == winner.ball && winner.ball != ball as u32 {
+                // it has won here before, so nothing changes above
+                return;
+            }
+            *holder = winner;
+        }
+    }
+
+    /// The winner of the sibling of a node.
+    #[inline]
+    fn rival(&self, node: usize) -> Node<T> {
+        let sibling = node ^ 1;
+        if sibling < self.leaves {
+            return self.tree[sibling];
+        }
+        let ball = sibling - self.leaves;
+        let time = self.candidates.get(ball).map(|candidate| candidate.time);
+        Node {
+            time: time.unwrap_or_else(|| T::lift(f64::INFINITY)),
+            ball: ball as u32,
+        }
+    }
+
+    #[inline]
+    fn beats(&self, one: Node<T>, other: Node<T>) -> bool {
+        if one.time < other.time {
+            return true;
+        }
+        one.time == other.time && self.comes_first(one.ball as usize, other.ball as usize)
+    }
+
+    #[cold]
+    fn comes_first(&self, one: usize, other: usize) -> bool {
+        match (self.candidates.get(one), self.candidates.get(other)) {
+            (Some(one), Some(other)) => one.what < other.what,
+            (one, _) => one.is_some(),
         }
     }
 
     /// The ball with the earliest candidate, and that candidate.
+    #[inline]
     pub fn first(&self) -> (usize, Candidate<T>) {
-        // a tree of one leaf has no inner node
-        let ball = if self.leaves == 1 {
-            0
-        } else {
-            self.tree[1] as usize
-        };
+        let ball = self.tree[1].ball as usize;
         (ball, self.candidates[ball])
     }
 }

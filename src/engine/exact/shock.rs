@@ -12,17 +12,12 @@ use crate::math::Real;
 use crate::trace::Ending;
 
 impl<T: Real> Loop<'_, T> {
-    /// Resolves the cluster around `seeds`. `positions` and `velocities` of all balls in scene order, on the near side of
-    /// the instant; `window`: what its time is good to, s.
+    /// Resolves the cluster around `seeds`, all of whose balls are on the near side of the instant; `window`: what its time
+    /// is good to, s.
     #[cold]
-    pub fn shock(
-        &mut self,
-        seeds: &[usize],
-        positions: &[[T; 2]],
-        velocities: &[[T; 2]],
-        window: T,
-    ) -> Option<Ending> {
-        let cluster = Cluster::around(&self.solver.world, seeds, positions, velocities, window);
+    pub fn shock(&mut self, seeds: &[usize], window: T) -> Option<Ending> {
+        let state = |ball: usize| self.solver.flights[ball].at(self.now);
+        let cluster = self.cluster(seeds, &state, window);
         let found = cluster.reflect();
         let rows = found
             .as_ref()

@@ -11,6 +11,7 @@ use super::world::World;
 use crate::math::Real;
 use crate::physics::{Body, Motion, Side, contact, cushion};
 use nalgebra::Vector3;
+use std::collections::BTreeSet;
 
 /// Impacts that are tried before the answer is "they disagree": enough for every order of a handful of contacts.
 const PATIENCE: u32 = 20_000;
@@ -46,13 +47,13 @@ fn spatial<T: Real>(v: [T; 2]) -> Vector3<T> {
 }
 
 impl<'a, T: Real> Cluster<'a, T> {
-    /// The cluster around `seeds`. `positions` and `velocities` of all balls in scene order; two parties are within reach
-    /// if their gap is touching, or closes within `window` seconds.
+    /// The cluster around `seeds`. `state`: centre and velocity of a ball; `neighbours`: in scene order, all that may be
+    /// within reach of one; two parties are within reach if their gap is touching, or closes within `window` seconds.
     pub fn around(
         world: &'a World<T>,
         seeds: &[usize],
-        positions: &[[T; 2]],
-        velocities: &[[T; 2]],
+        state: &dyn Fn(usize) -> ([T; 2], [T; 2]),
+        neighbours: &dyn Fn(usize) -> Vec<usize>,
         window: T,
     ) -> Self {
         let mut cluster = Cluster {
@@ -61,35 +62,47 @@ impl<'a, T: Real> Cluster<'a, T> {
             velocities: Vec::new(),
             touches: Vec::new(),
         };
+        let mut members: BTreeSet<usize> = seeds.iter().copied().collect();
+        // pairs within reach, the smaller index first, with the vector between their centres
+        let mut pairs = Vec::new();
         let mut next = 0;
         while let Some(&ball) = cluster.balls.get(next) {
             next += 1;
-            for other in 0..positions.len() {
-                let p = difference(positions[other], positions[ball]);
-                let v = difference(velocities[other], velocities[ball]);
+            let (here, moving) = state(ball);
+            for other in neighbours(ball) {
+                let (there, velocity) = state(other);
+                let p = difference(there, here);
+                let v = difference(velocity, moving);
                 let reach = world.distance(ball, other) + world.touching + length(v) * window;
-                if other != ball && length(p) <= reach && !cluster.balls.contains(&other) {
+                if other == ball || length(p) > reach {
+                    continue;
+                }
+                if ball < other {
+                    pairs.push((ball, other, p));
+                }
+                if members.insert(other) {
                     cluster.balls.push(other);
                 }
             }
         }
         cluster.balls.sort_unstable();
-        cluster.velocities = cluster.balls.iter().map(|b| velocities[*b]).collect();
-        cluster.find_touches(positions, window);
+        pairs.sort_unstable_by_key(|(a, b, _)| (*a, *b));
+        let states = cluster.balls.iter().map(|ball| state(*ball));
+        let (positions, velocities): (Vec<_>, Vec<_>) = states.unzip();
+        cluster.velocities = velocities;
+        cluster.find_touches(&positions, &pairs, window);
         cluster
     }
 
-    fn find_touches(&mut self, positions: &[[T; 2]], window: T) {
+    /// `positions`: of the members; `pairs`: balls within reach of each other, by scene order.
+    fn find_touches(&mut self, positions: &[[T; 2]], pairs: &[(usize, usize, [T; 2])], window: T) {
         let world = self.world;
-        for first in 0..self.balls.len() {
-            let a = self.balls[first];
-            for second in first + 1..self.balls.len() {
-                let b = self.balls[second];
-                let p = difference(positions[b], positions[a]);
-                let v = difference(self.velocities[second], self.velocities[first]);
-                let reach = world.distance(a, b) + world.touching + length(v) * window;
-                let apart = length(p);
-                if world.contact.is_some() && apart <= reach && apart > T::zero() {
+        let mut pairs = pairs.iter().peekable();
+        for (first, a) in self.balls.iter().copied().enumerate() {
+            while let Some((_, b, p)) = pairs.next_if(|(one, ..)| *one == a) {
+                let apart = length(*p);
+                if world.contact.is_some() && apart > T::zero() {
+                    let second = self.balls.partition_point(|ball| ball < b);
                     let normal = spatial([p[0] / apart, p[1] / apart]);
                     self.touches.push(Touch::Pair(first, second, normal));
                 }
@@ -99,7 +112,7 @@ impl<'a, T: Real> Cluster<'a, T> {
             };
             for side in Side::ALL {
                 let axis = side.axis();
-                let gap = (reach[side as usize] - positions[a][axis]).abs();
+                let gap = (reach[side as usize] - positions[first][axis]).abs();
                 if gap <= world.touching + self.velocities[first][axis].abs() * window {
                     self.touches.push(Touch::Cushion(first, side));
                 }

@@ -3,6 +3,7 @@
 //! Only the balls of an event are touched. Every other ball stays where its own last event left it, so nothing is
 //! accumulated. The loop never decides what the scalar cannot tell: it ends with the reason instead.
 
+use super::cells::{Cells, ENOUGH_BALLS};
 use super::collapse::Streaks;
 use super::flight::{Flight, Phase, state};
 use super::predict::{Near, Notes, View};
@@ -10,11 +11,26 @@ use super::queue::{Candidate, Queue, What};
 use super::world::World;
 use crate::engine::Limits;
 use crate::math::Real;
-use crate::physics::State;
+use crate::physics::{Side, State};
 use crate::scene::Scene;
 use crate::trace::{Ending, Provenance, Record, Recorder, Spot, Trace};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::Range;
+
+/// Which balls a prediction looks at. The trace is the same to the bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Partners {
+    /// Those nearby in scenes of many balls, all in others.
+    #[default]
+    Auto,
+    /// All others.
+    All,
+    /// Those nearby.
+    Cells,
+}
 
 /// A run in the scalar `T`.
 #[derive(Debug)]
@@ -25,6 +41,8 @@ pub struct Solver<'a, T: Real> {
     pub world: World<T>,
     /// What every ball does now.
     pub flights: Vec<Flight<T>>,
+    /// Which balls a prediction looks at.
+    pub partners: Partners,
 }
 
 impl<'a, T: Real> Solver<'a, T> {
@@ -36,6 +54,7 @@ impl<'a, T: Real> Solver<'a, T> {
             scene,
             world,
             flights,
+            partners: Partners::Auto,
         }
     }
 
@@ -78,6 +97,8 @@ impl<'a, T: Real> Solver<'a, T> {
             streaks: Streaks::new(n),
             recorder,
             counts: Counts::default(),
+            cells: None,
+            nearby: Vec::new(),
             solver: self,
         }
     }
@@ -92,6 +113,10 @@ pub struct Counts {
     pub ball_ball: u64,
     /// Impacts on cushions.
     pub ball_cushion: u64,
+    /// Balls that left their square of the cells.
+    pub cell_crossings: u64,
+    /// Layouts of the cells.
+    pub cell_layouts: u64,
 }
 
 /// A run under way.
@@ -106,6 +131,10 @@ pub struct Loop<'a, T: Real> {
     pub notes: Notes<T>,
     /// Time of the latest event, s.
     pub now: T,
+    /// Who may meet whom, where there are many balls.
+    pub cells: Option<Cells>,
+    /// The partners of the prediction at hand.
+    pub nearby: Vec<u32>,
     /// Balls in motion.
     pub moving: usize,
     /// How often each ball was hit without time passing.
@@ -124,22 +153,24 @@ impl<T: Real> Loop<'_, T> {
         if let Some(ending) = self.unfit() {
             return ending;
         }
-        for ball in 0..self.versions.len() {
-            // each pair once: the row of the larger index holds it
-            self.predict(ball, 0..ball, None);
-        }
+        self.predict_all();
         loop {
             let (ball, next) = self.queue.first();
             if next.what == What::Nothing {
                 return self.nothing_left();
             }
-            if self.is_stale(ball, &next) {
-                self.now_is(next.time);
-                self.predict(ball, 0..self.versions.len(), None);
-                continue;
-            }
             if limits.is_cancelled() {
                 return Ending::Cancelled;
+            }
+            if self.is_stale(ball, &next) {
+                self.now_is(next.time);
+                self.predict(ball, None);
+                continue;
+            }
+            if let What::Leaving(a, side) = next.what {
+                self.now_is(next.time);
+                self.leave(a as usize, side);
+                continue;
             }
             if self.counts.events >= limits.max_events {
                 return Ending::Budget;
@@ -160,7 +191,7 @@ impl<T: Real> Loop<'_, T> {
                         side.id()
                     ),
                 ))),
-                What::Nothing => None,
+                What::Leaving(..) | What::Nothing => None,
             };
             if let Some(ending) = ended {
                 return ending;
@@ -187,19 +218,105 @@ impl<T: Real> Loop<'_, T> {
                 let other = if a as usize == ball { b } else { a };
                 self.versions[other as usize] != candidate.stamp
             }
-            What::Cushion(..) | What::UnclearCushion(..) | What::End(_) | What::Nothing => false,
+            What::Cushion(..)
+            | What::UnclearCushion(..)
+            | What::End(_)
+            | What::Leaving(..)
+            | What::Nothing => false,
         }
     }
 
-    /// Predicts the next event of a ball among `partners`, all but the encounter `known`.
-    pub fn predict(&mut self, ball: usize, partners: Range<usize>, known: Option<Near>) {
+    /// Predicts the next events of all balls, each pair once: the row of the ball that comes later holds it.
+    fn predict_all(&mut self) {
+        let n = self.versions.len();
+        let cells = match self.solver.partners {
+            Partners::Auto => n >= ENOUGH_BALLS,
+            Partners::All => false,
+            Partners::Cells => true,
+        };
+        // balls that pass through each other need no partners
+        if !cells || self.solver.world.contact.is_none() {
+            for ball in 0..n {
+                self.predict_among(ball, 0..ball);
+            }
+            return;
+        }
+        let positions: Vec<[f64; 2]> = (0..n).map(|ball| self.place(ball).map(T::to_f64)).collect();
+        self.counts.cell_layouts += 1;
+        let world = &self.solver.world;
+        let (widest, blur) = (world.widest_distance(), world.blur_of_places());
+        self.cells = Some(Cells::over(&positions, widest, blur));
+        for (ball, position) in positions.into_iter().enumerate() {
+            if let Some(cells) = &mut self.cells {
+                cells.enter(ball, position);
+            }
+            self.predict(ball, None);
+        }
+    }
+
+    /// Predicts the next event of a ball, but for the encounter `except`.
+    pub fn predict(&mut self, ball: usize, except: Option<Near>) {
         let view = View {
             world: &self.solver.world,
             flights: &self.solver.flights,
             versions: &self.versions,
         };
-        let next = view.next_event(ball, self.now, partners, known, &mut self.notes);
+        let all = 0..self.versions.len();
+        let next = match &mut self.cells {
+            None => view.next_event(ball, self.now, all, except, &mut self.notes),
+            Some(cells) => {
+                let mut best = view.end(ball);
+                let flight = &self.solver.flights[ball];
+                if flight.moves() {
+                    cells.leaving(ball, flight, self.now, &mut best);
+                }
+                // what is noted may be farther away than the squares tell
+                let watch = self.notes.watch.map_or(0.0, T::to_f64);
+                if watch <= cells.slack {
+                    cells.around(ball, &mut self.nearby);
+                    let nearby = self.nearby.iter().map(|other| *other as usize);
+                    view.among(ball, nearby, except, &mut best, &mut self.notes);
+                } else {
+                    view.among(ball, all, except, &mut best, &mut self.notes);
+                }
+                best.time = best.time.at_least(self.now);
+                best
+            }
+        };
         self.queue.set(ball, next);
+    }
+
+    /// Predicts the next event of a ball among `partners`.
+    fn predict_among(&mut self, ball: usize, partners: Range<usize>) {
+        let view = View {
+            world: &self.solver.world,
+            flights: &self.solver.flights,
+            versions: &self.versions,
+        };
+        let next = view.next_event(ball, self.now, partners, None, &mut self.notes);
+        self.queue.set(ball, next);
+    }
+
+    /// A ball goes on into the next square of the cells.
+    fn leave(&mut self, ball: usize, side: Side) {
+        self.counts.cell_crossings += 1;
+        let Some(cells) = &mut self.cells else {
+            return;
+        };
+        cells.cross(ball, side);
+        if cells.worn_out() {
+            self.predict_all();
+        } else {
+            self.predict(ball, None);
+        }
+    }
+
+    /// Balls that may be within `gap` of a ball, by surfaces; itself included, in scene order.
+    pub fn neighbours(&self, ball: usize, gap: T) -> Vec<usize> {
+        match &self.cells {
+            Some(cells) if gap.to_f64() <= cells.slack => cells.within_slack(ball),
+            _ => (0..self.versions.len()).collect(),
+        }
     }
 
     #[inline(never)]
@@ -219,7 +336,7 @@ impl<T: Real> Loop<'_, T> {
         self.recorder.stop(ball, time, &at_rest, &at_rest);
         self.notes.watch = Some(self.solver.world.blur.length);
         self.notes.near.clear();
-        self.predict(ball, 0..self.versions.len(), None);
+        self.predict(ball, None);
         self.notes.watch = None;
         if self.notes.near.is_empty() {
             return None;
@@ -278,6 +395,8 @@ impl<T: Real> Loop<'_, T> {
             ("events".to_owned(), self.counts.events),
             ("ball_ball".to_owned(), self.counts.ball_ball),
             ("ball_cushion".to_owned(), self.counts.ball_cushion),
+            ("cell_crossings".to_owned(), self.counts.cell_crossings),
+            ("cell_layouts".to_owned(), self.counts.cell_layouts),
             ("root_calls".to_owned(), self.notes.root_calls),
         ]);
         self.recorder

@@ -110,6 +110,18 @@ impl<T: Real> World<T> {
         }
     }
 
+    /// The largest distance of two centres at contact.
+    pub fn widest_distance(&self) -> f64 {
+        let largest = self.radius.iter().copied().fold(T::zero(), T::at_least);
+        plan_distance(largest, largest).to_f64()
+    }
+
+    /// What the place of a ball is good to at a time that is itself rounded, length.
+    pub fn blur_of_places(&self) -> f64 {
+        let clock = T::ULP * self.duration.to_f64();
+        self.blur.length.to_f64() + ROUNDINGS * clock * self.fastest.to_f64()
+    }
+
     /// The flights of all balls at time 0.
     pub fn first_flights(&self, scene: &Scene) -> Vec<Flight<T>> {
         let flight = |ball: &crate::scene::Ball| {

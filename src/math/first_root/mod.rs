@@ -10,9 +10,9 @@
 //! - **Honesty.** What is decided by the last digits is answered [`Contact::Unclear`]: a graze or a stop that is a hit or a
 //!   miss depending on an error of size [`Blur`].
 //!
-//! [`first_contact`] is the finder that the engine uses (one-sided: it cannot step past a root), [`straight_contact`] its
-//! closed form for motion along a line, [`first_crossing`] the same for a wall. [`bracketed_contact`] is a second finder that
-//! shares no code with them; tests hold the two against each other.
+//! [`first_contact`] is the finder that the engine uses (one-sided: it cannot step past a root; [`first_contact_by`] gives up
+//! early on what comes too late), [`straight_contact`] its closed form for motion along a line, [`first_crossing`] the same
+//! for a wall. [`bracketed_contact`] is a second finder that shares no code with them; tests hold the two against each other.
 
 mod bracketing;
 mod one_sided;
@@ -23,7 +23,7 @@ mod wall;
 mod tests;
 
 pub use bracketing::bracketed_contact;
-pub use one_sided::first_contact;
+pub use one_sided::{first_contact, first_contact_by};
 pub use straight::straight_contact;
 pub use wall::first_crossing;
 

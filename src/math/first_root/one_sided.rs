@@ -20,11 +20,25 @@ const MANY_BITS: u32 = 128;
 /// First contact up to `limit`, s from now, by the event rule of this module.
 #[inline]
 pub fn first_contact<T: Real>(approach: &Approach<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    first_contact_by(approach, limit, limit, blur)
+}
+
+/// First contact up to `end`, if anyone wants to know: what is later than `limit` may be answered [`Contact::Never`].
+///
+/// A contact that is answered is that of [`first_contact`] up to `end`, to the bit, whatever `limit` is: a search that is cut
+/// short takes the same steps. Give `limit` a few ulps more than the time that matters.
+#[inline]
+pub fn first_contact_by<T: Real>(
+    approach: &Approach<T>,
+    end: T,
+    limit: T,
+    blur: &Blur<T>,
+) -> Contact<T> {
     let curve = Curve::new(approach, blur);
     if curve.stays_apart(limit) {
         return Contact::Never;
     }
-    curve.search(limit, blur)
+    curve.search(end, limit, blur)
 }
 
 /// The distance function and the parabola that is its second derivative.
@@ -73,7 +87,8 @@ impl<T: Real> Curve<T> {
         let start = self.start();
         let bound = self.least_curvature(T::zero(), limit);
         let half = bound * T::lift(0.5);
-        let margin = self.blurred + start.f * T::lift(32.0 * T::ULP);
+        // a graze is unclear from where its distance function is 3 `blurred` or less
+        let margin = self.blurred * T::lift(4.0) + start.f * T::lift(32.0 * T::ULP);
         let clear = start.f - margin;
         if clear <= T::zero() {
             return false;
@@ -88,12 +103,12 @@ impl<T: Real> Curve<T> {
     }
 
     #[inline(never)]
-    fn search(&self, limit: T, blur: &Blur<T>) -> Contact<T> {
+    fn search(&self, last: T, limit: T, blur: &Blur<T>) -> Contact<T> {
         let start = self.start();
         if start.f <= self.blurred {
-            self.search_from_inside(&start, limit, blur)
+            self.search_from_inside(&start, last, limit, blur)
         } else {
-            self.search_from_outside(start, limit, blur)
+            self.search_from_outside(start, last, limit, blur)
         }
     }
 
@@ -154,8 +169,14 @@ impl<T: Real> Curve<T> {
         Some((one.at_most(other), one.at_least(other)))
     }
 
-    /// Searches from a point at which the discs are apart.
-    fn search_from_outside(&self, start: Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    /// Searches from a point at which the discs are apart up to `last`, for a contact that is not after `limit`.
+    fn search_from_outside(
+        &self,
+        start: Point<T>,
+        last: T,
+        limit: T,
+        blur: &Blur<T>,
+    ) -> Contact<T> {
         let inflections = self.inflections();
         let mut here = start;
         loop {
@@ -169,17 +190,17 @@ impl<T: Real> Curve<T> {
                     convex: false,
                 },
                 _ => Stretch {
-                    end: limit,
+                    end: last,
                     convex: true,
                 },
             };
-            let end = stretch.end.at_most(limit);
+            let end = stretch.end.at_most(last);
             let found = if stretch.convex {
-                self.through_convex(here, end, blur)
+                self.through_convex(here, end, limit, blur)
             } else {
-                self.through_concave(here, end, blur)
+                self.through_concave(here, end, limit, blur)
             };
-            if found != Contact::Never || end >= limit {
+            if found != Contact::Never || end >= last || end > limit {
                 return found;
             }
             here = self.at(end);
@@ -191,7 +212,7 @@ impl<T: Real> Curve<T> {
     }
 
     /// A stretch in which `f` has at most one minimum.
-    fn through_convex(&self, start: Point<T>, end: T, blur: &Blur<T>) -> Contact<T> {
+    fn through_convex(&self, start: Point<T>, end: T, limit: T, blur: &Blur<T>) -> Contact<T> {
         let zero = T::zero();
         let two = T::lift(2.0);
         let mut here = start;
@@ -227,6 +248,9 @@ impl<T: Real> Curve<T> {
             } else {
                 here = self.at(here.t + step);
             }
+            if here.t > limit {
+                return Contact::Never;
+            }
             if self.converged(&here) {
                 return self.finish(here, blur);
             }
@@ -235,7 +259,7 @@ impl<T: Real> Curve<T> {
     }
 
     /// A stretch in which `f` has no minimum: a contact there shows at its end.
-    fn through_concave(&self, start: Point<T>, end: T, blur: &Blur<T>) -> Contact<T> {
+    fn through_concave(&self, start: Point<T>, end: T, limit: T, blur: &Blur<T>) -> Contact<T> {
         let last = self.at(end);
         if last.f > T::zero() {
             return Contact::Never;
@@ -252,6 +276,9 @@ impl<T: Real> Curve<T> {
                 two * here.f / (root - here.slope)
             };
             here = self.at((here.t + step).at_most(end));
+            if here.t > limit {
+                return Contact::Never;
+            }
             if self.converged(&here) {
                 return self.finish(here, blur);
             }
@@ -354,7 +381,13 @@ impl<T: Real> Curve<T> {
     }
 
     /// Searches from a touching or overlapping start: contact now, or at or after the next turn inward.
-    fn search_from_inside(&self, start: &Point<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
+    fn search_from_inside(
+        &self,
+        start: &Point<T>,
+        last: T,
+        limit: T,
+        blur: &Blur<T>,
+    ) -> Contact<T> {
         let zero = T::zero();
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
         if start.slope < -slow {
@@ -364,7 +397,7 @@ impl<T: Real> Curve<T> {
         let Some((first, second)) = self.inflections() else {
             return Contact::Never;
         };
-        let (mut from, mut to) = (first.at_least(zero), second.at_most(limit));
+        let (mut from, mut to) = (first.at_least(zero), second.at_most(last));
         if from >= to || self.at(to).slope >= -slow {
             return Contact::Never;
         }
@@ -379,7 +412,7 @@ impl<T: Real> Curve<T> {
         if turn.f <= self.blurred {
             Contact::At(turn.t)
         } else {
-            self.search_from_outside(turn, limit, blur)
+            self.search_from_outside(turn, last, limit, blur)
         }
     }
 }

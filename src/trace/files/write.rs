@@ -2,13 +2,12 @@
 
 use super::number::shortest;
 use super::{
-    CERTAINTY_COLUMNS, EVENT_COLUMNS, FINAL_COLUMNS, FileError, Files, SAMPLE_COLUMNS, ball_index,
-    id_of, run,
+    CERTAINTY_COLUMNS, EVENT_COLUMNS, FINAL_COLUMNS, FileError, Files, SAMPLE_COLUMNS, id_of, run,
 };
 use crate::physics::State;
 use crate::trace::{EventKind, Trace};
 use std::cmp::{Ordering, Reverse};
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashSet};
 
 /// The four files of a trace.
 ///
@@ -96,9 +95,10 @@ fn samples(trace: &Trace) -> Result<String, FileError> {
 
 fn final_states(trace: &Trace) -> Result<String, FileError> {
     let mut sheet = Sheet::new(&FINAL_COLUMNS)?;
+    let mut named = HashSet::new();
     for (i, state) in trace.final_states().iter().enumerate() {
         let id = &trace.balls[i];
-        if ball_index(&trace.balls[..i], id).is_ok() {
+        if !named.insert(id) {
             return Err(unwritable(format!("two balls are called `{id}`")));
         }
         if trace.paths[i].knots.is_empty() {

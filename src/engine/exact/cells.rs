@@ -1,0 +1,188 @@
+//! Who may meet whom before one of the two leaves its place: squares in which every ball is listed.
+//!
+//! A square is wider than any two balls at contact, with slack to spare, so balls that touch are in neighbouring squares, and a
+//! prediction looks at nine of them. A ball that leaves its square is listed in the next one and predicted anew: that is an
+//! event of the queue and none of the trace. The outermost squares reach to infinity, so a ball that flies away stops leaving
+//! squares; when too many balls have gathered in too few squares, they are laid out anew over where the balls are by then.
+
+use super::flight::Flight;
+use super::queue::{Candidate, What};
+use crate::math::Real;
+use crate::math::first_root::{Blur, Contact, first_crossing};
+use crate::math::grid::Grid;
+use crate::physics::Side;
+
+/// Balls from which on cells are worth their trouble: below, looking at every ball is as quick (`benches/scale.rs` prints both).
+pub const ENOUGH_BALLS: usize = 20;
+
+/// Sides of squares, in largest contact distances. Narrower ones are left more often, wider ones hold more balls.
+const WIDTH: f64 = 1.125;
+
+/// The slack in units of what positions are good to, where that is more.
+const BLURS: f64 = 256.0;
+
+/// Squares for each ball, at most.
+const SQUARES: usize = 4;
+
+/// Partners for each ball that a layout may look at in vain before it is laid out anew.
+const PATIENCE: u64 = 64;
+
+/// Partners of one prediction that are not too many.
+const FEW: u64 = 24;
+
+/// No ball, or the end of a list.
+const NONE: u32 = u32::MAX;
+
+/// The squares and the balls in each.
+#[derive(Clone, Debug)]
+pub struct Cells {
+    grid: Grid,
+    /// Column and row of each ball.
+    place: Vec<[u32; 2]>,
+    /// The first ball of each square.
+    first: Vec<u32>,
+    /// The ball listed after each ball in its square.
+    next: Vec<u32>,
+    /// Gap of two balls, length, up to which they are sure to be in neighbouring squares.
+    pub slack: f64,
+    /// Partners looked at beyond those that were to be expected, since the squares were laid out.
+    in_vain: u64,
+}
+
+impl Cells {
+    /// Empty cells for balls at `positions`. `contact`: the largest distance of two centres at contact; `blur`: what positions
+    /// are good to; lengths.
+    pub fn over(positions: &[[f64; 2]], contact: f64, blur: f64) -> Self {
+        let least = (WIDTH * contact).max(contact + BLURS * blur);
+        let grid = Grid::over(positions, least, SQUARES * positions.len());
+        let n = positions.len();
+        Cells {
+            place: vec![[0; 2]; n],
+            first: vec![NONE; grid.squares()],
+            next: vec![NONE; n],
+            // the other half is for the rounding of when a ball leaves
+            slack: 0.5 * (grid.size() - contact),
+            grid,
+            in_vain: 0,
+        }
+    }
+
+    /// Lists a ball that is not yet listed.
+    pub fn enter(&mut self, ball: usize, position: [f64; 2]) {
+        self.place[ball] = self.grid.place(position);
+        self.list(ball);
+    }
+
+    fn list(&mut self, ball: usize) {
+        let first = &mut self.first[self.grid.square(self.place[ball])];
+        self.next[ball] = *first;
+        *first = ball as u32;
+    }
+
+    /// Moves a ball from its square to the next one on `side`.
+    pub fn cross(&mut self, ball: usize, side: Side) {
+        let square = self.grid.square(self.place[ball]);
+        let after = self.next[ball];
+        let mut here = self.first[square];
+        if here as usize == ball {
+            self.first[square] = after;
+        } else {
+            while self.next[here as usize] as usize != ball {
+                here = self.next[here as usize];
+                self.in_vain += 1;
+            }
+            self.next[here as usize] = after;
+        }
+        let step = if side.sign() < 0 { u32::MAX } else { 1 };
+        let index = &mut self.place[ball][side.axis()];
+        *index = index.wrapping_add(step);
+        self.list(ball);
+    }
+
+    /// Writes the balls in and around the square of `ball` into `found`, itself included.
+    pub fn around(&mut self, ball: usize, found: &mut Vec<u32>) {
+        found.clear();
+        for row in self.grid.around(self.place[ball]) {
+            for first in &self.first[row] {
+                let mut here = *first;
+                while here != NONE {
+                    found.push(here);
+                    here = self.next[here as usize];
+                }
+            }
+        }
+        self.in_vain += (found.len() as u64).saturating_sub(FEW);
+    }
+
+    /// The balls that may be within the slack of `ball`, itself included, in scene order.
+    pub fn within_slack(&self, ball: usize) -> Vec<usize> {
+        let mut found = Vec::new();
+        for row in self.grid.around(self.place[ball]) {
+            for first in &self.first[row] {
+                let mut here = *first;
+                while here != NONE {
+                    found.push(here as usize);
+                    here = self.next[here as usize];
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// True when the squares no longer fit where the balls are.
+    pub fn worn_out(&self) -> bool {
+        self.in_vain > PATIENCE * self.place.len() as u64
+    }
+
+    /// Replaces `best` by the ball's leaving its square, if that precedes. `now`: s; not before the start of the flight.
+    pub fn leaving<T: Real>(
+        &self,
+        ball: usize,
+        flight: &Flight<T>,
+        now: T,
+        best: &mut Candidate<T>,
+    ) {
+        let exactly = Blur {
+            length: T::zero(),
+            speed: T::zero(),
+        };
+        let (position, velocity) = flight.from(now);
+        for axis in 0..2 {
+            let edges = self.grid.edges(axis, self.place[ball][axis]);
+            for (edge, outward) in edges.into_iter().zip([-T::one(), T::one()]) {
+                let Some(edge) = edge else {
+                    continue;
+                };
+                let speed = velocity[axis] * outward;
+                let acceleration = flight.acceleration[axis] * outward;
+                let limit = best.time - now;
+                // also when it would turn outward only after the limit
+                if speed <= T::zero() && speed + acceleration * limit <= T::zero() {
+                    continue;
+                }
+                let gap = (T::lift(edge) - position[axis]) * outward;
+                let found = first_crossing(gap, speed, acceleration, limit, &exactly);
+                if let Contact::At(after) | Contact::Unclear(after) = found {
+                    let one = Candidate {
+                        time: now + after,
+                        what: What::Leaving(ball as u32, side(axis, outward < T::zero())),
+                        stamp: 0,
+                    };
+                    if one.precedes(best) {
+                        *best = one;
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn side(axis: usize, low: bool) -> Side {
+    match (axis, low) {
+        (0, true) => Side::X0,
+        (0, false) => Side::X1,
+        (_, true) => Side::Y0,
+        (_, false) => Side::Y1,
+    }
+}
