@@ -34,6 +34,9 @@ pub enum Command {
     /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
     Horizon(HorizonArguments),
     /// Run many samples of one scene, varied by a stated law, and compare how the answers of engines are distributed.
+    ///
+    /// Without --aim, --speed and --gap: aim 0.1, speed 0.01 and gap 1e-2, or 1e-5 where balls touch, as far as the scene has a
+    /// ball that moves or rests; gaps alone where the scene says `simultaneous = "ensemble"`. What is given varies alone.
     Ensemble(EnsembleArguments),
     /// List the engines and the settings of each.
     Engines {
@@ -97,9 +100,6 @@ pub struct CompareArguments {
 }
 
 /// Arguments of `carom ensemble`.
-///
-/// Without --aim, --speed and --gap: aim 0.1, speed 0.01 and gap 1e-2, or 1e-5 where balls touch, as far as the scene has a
-/// ball that moves or rests; gaps alone where the scene says `simultaneous = "ensemble"`. With one of them: that one alone.
 #[derive(Debug, Args)]
 pub struct EnsembleArguments {
     /// A scene of the catalogue, or a scene file.
@@ -110,8 +110,8 @@ pub struct EnsembleArguments {
     /// Seed of all draws; the same seed gives the same samples.
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Engines with optional settings, as in `carom compare`; exact ones first, and the first is what the others are held
-    /// against. Rapier needs hundreds of times as long as the others.
+    /// Engines with optional settings, as in `carom compare`; exact ones first, and the first that reaches the end is what
+    /// the others are held against. Rapier needs hundreds of times as long as the others.
     #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
     pub engines: String,
     /// Aim of the cue ball: uniform within so many degrees to either side.

@@ -1,6 +1,6 @@
 //! Samples of an ensemble: a scene whose aim, speed and gaps vary by a stated law.
 //!
-//! [`Law::in_words`] is the law as printed. A sample is a pure function of scene, law, seed and index; aim, speed and each
+//! [`Perturbation::in_words`] is the law as printed. A sample is a pure function of scene, law, seed and index; aim, speed and each
 //! resting ball have draws of their own in a fixed order, so that varying one more of them leaves the others as they were.
 //!
 //! Touching balls have no gap that could vary, so their cluster is opened first: scaled about its centre until every touching

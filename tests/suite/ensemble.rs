@@ -332,6 +332,45 @@ fn runs_that_do_not_reach_the_end_are_counted_by_their_ending_and_refusals_by_th
     let text = render(&document, "csv").unwrap();
     assert!(text.contains("indeterminate 12"), "{text}");
     assert!(text.contains("refused 12: "), "{text}");
+    assert_eq!(outcome.reference, None);
+}
+
+#[test]
+fn where_exact_has_no_answer_the_next_engine_stands_in_its_place() {
+    let mut plan = plan(
+        &report_break(0.0, 90.2),
+        12,
+        &[
+            ("exact", ""),
+            ("stepper", "dt=1e-2"),
+            ("stepper", "dt=1e-2 contact=approaching-only"),
+        ],
+    );
+    plan.law = Law {
+        aim: 0.1,
+        ..Law::default()
+    };
+    let outcome = study(plan, watch()).unwrap();
+    assert_eq!(outcome.reference, Some(1));
+    let agreements: Vec<bool> = outcome
+        .entries
+        .iter()
+        .map(|e| e.agreement.is_some())
+        .collect();
+    assert_eq!(agreements, [true, false, true]);
+    assert_eq!(outcome.entries[0].agreement.as_ref().unwrap().both, 0);
+    assert_eq!(outcome.entries[2].agreement.as_ref().unwrap().both, 12);
+    assert_eq!(outcome.tests.len(), 48);
+    assert!(outcome.tests.iter().all(|test| test.entry == 2));
+    let text = render(&summary(&outcome), "text").unwrap();
+    assert!(
+        text.contains("exact reaches the end in none of 12 samples"),
+        "{text}"
+    );
+    assert!(
+        text.contains("Against stepper dt=1e-2, sample by sample"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::{Entry, Landing};
 
-/// How an engine agrees with the first one over all samples that both ran to the end.
+/// How an engine agrees with the reference over all samples that both ran to the end.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Agreement {
     /// Samples that both ran to the end.
@@ -28,10 +28,10 @@ pub struct Farthest {
     pub ball: usize,
 }
 
-/// Holds `entry` against `first`. `radius`: the scene's smallest, the unit of distances.
-pub fn agreement(first: &Entry, entry: &Entry, radius: f64) -> Agreement {
+/// Holds `entry` against `reference`. `radius`: the scene's smallest, the unit of distances.
+pub fn agreement(reference: &Entry, entry: &Entry, radius: f64) -> Agreement {
     let mut found = Agreement::default();
-    let pairs = first.cells.iter().zip(&entry.cells).enumerate();
+    let pairs = reference.cells.iter().zip(&entry.cells).enumerate();
     for (sample, pair) in pairs {
         let (Some(Ok(ours)), Some(Ok(theirs))) = pair else {
             continue;

@@ -1,4 +1,4 @@
-//! Distributions of where and when each ball stopped, and whether an engine's differ from the first one's.
+//! Distributions of where and when each ball stopped, and whether an engine's differ from the reference's.
 
 use super::{Entry, Landing};
 use crate::math::statistics::{Distribution, holm, kolmogorov_smirnov, transport};
@@ -77,7 +77,7 @@ impl Quantity {
     }
 }
 
-/// One quantity of one ball in one engine, against the first engine.
+/// One quantity of one ball in one engine, against the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
     /// Index of the entry.
@@ -109,25 +109,26 @@ pub(super) fn of(entry: &Entry, balls: usize) -> Vec<[Option<Distribution>; 3]> 
     (0..balls).map(of_ball).collect()
 }
 
-/// Every quantity of every ball of the other entries against the first.
-pub(super) fn tests(entries: &[Entry], scene: &Scene) -> Vec<Test> {
+/// Every quantity of every ball of the other entries against the reference.
+pub(super) fn tests(entries: &[Entry], reference: Option<usize>, scene: &Scene) -> Vec<Test> {
     let mut tests = Vec::new();
-    let Some((first, others)) = entries.split_first() else {
+    let Some(reference) = reference else {
         return tests;
     };
-    for (k, entry) in others.iter().enumerate() {
+    let others = entries.iter().enumerate().filter(|(k, _)| *k != reference);
+    for (k, entry) in others {
         for ball in 0..scene.balls.len() {
             for (which, quantity) in Quantity::ALL.into_iter().enumerate() {
                 let (ours, theirs) = (
                     &entry.distributions[ball][which],
-                    &first.distributions[ball][which],
+                    &entries[reference].distributions[ball][which],
                 );
                 let Some((ours, theirs)) = ours.as_ref().zip(theirs.as_ref()) else {
                     continue;
                 };
                 let test = kolmogorov_smirnov(ours, theirs);
                 tests.push(Test {
-                    entry: k + 1,
+                    entry: k,
                     ball,
                     quantity,
                     distance: test.distance,

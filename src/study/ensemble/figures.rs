@@ -60,7 +60,7 @@ pub(super) fn landings(outcome: &Outcome) -> Vec<Figure> {
     figures
 }
 
-/// The distribution functions, in all engines, of what differs most from the first engine, or else is spread most.
+/// The distribution functions, in all engines, of what differs most from the reference, or else is spread most.
 pub(super) fn telling(outcome: &Outcome) -> Option<Figure> {
     let scene = &outcome.plan.scene;
     let farthest = outcome
@@ -80,7 +80,7 @@ pub(super) fn telling(outcome: &Outcome) -> Option<Figure> {
             (test.ball, which, "differs most between the engines")
         }
         None => {
-            let (ball, which, _) = widest(outcome.entries.first()?)?;
+            let (ball, which, _) = widest(&outcome.entries[outcome.reference?])?;
             (ball, which, "is spread most")
         }
     };

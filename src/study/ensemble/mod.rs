@@ -1,8 +1,8 @@
 //! Ensembles: one scene varied by a stated law, many samples in several engines, and how the answers are distributed.
 //!
 //! Plan: samples by engines as a matrix whose cells keep only where and when the balls stopped. Conclusion, in two ways. Sample
-//! by sample: in how many samples an engine has the orders of the first one, and how far the ends lie apart. As
-//! distributions: moments, quantiles, and whether an engine's differ from the first one's.
+//! by sample: in how many samples an engine has the orders of the reference, which is the first engine with a complete run, and
+//! how far the ends lie apart. As distributions: moments, quantiles, and whether an engine's differ from the reference's.
 
 mod agreement;
 mod distribution;
@@ -41,7 +41,7 @@ pub struct Plan {
     pub samples: usize,
     /// Seed of all draws.
     pub seed: u64,
-    /// Engines; the first is what the others are held against.
+    /// Engines; the first with a complete run is what the others are held against.
     pub columns: Vec<Column>,
 }
 
@@ -74,7 +74,9 @@ pub struct Outcome {
     pub done: usize,
     /// One entry an engine, in the order of the plan.
     pub entries: Vec<Entry>,
-    /// The other engines' distributions against the first one's.
+    /// Index of the entry that all others are held against: the first with a complete run; `None` if there is none.
+    pub reference: Option<usize>,
+    /// The other engines' distributions against the reference's.
     pub tests: Vec<Test>,
     /// The most frequent collision orders.
     pub frequent: Vec<Frequent>,
@@ -91,7 +93,7 @@ pub struct Entry {
     pub distributions: Vec<[Option<Distribution>; 3]>,
     /// Number of distinct collision orders among the complete runs.
     pub orders: usize,
-    /// How it agrees with the first engine, sample by sample; `None` for that one itself.
+    /// How it agrees with the reference, sample by sample; `None` for that one itself, and without one.
     pub agreement: Option<Agreement>,
 }
 
@@ -157,28 +159,39 @@ fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
             column.push(cell.filter(|_| whole));
         }
     }
-    let mut entries: Vec<Entry> = Vec::new();
-    for (column, cells) in plan.columns.iter().zip(by_engine) {
-        let mut entry = Entry {
-            column: column.clone(),
+    let columns = plan.columns.iter().cloned().zip(by_engine);
+    let mut entries: Vec<Entry> = columns
+        .map(|(column, cells)| Entry {
+            column,
             cells,
             distributions: Vec::new(),
             orders: 0,
             agreement: None,
-        };
-        entry.distributions = distribution::of(&entry, plan.scene.balls.len());
-        entry.orders = orders::distinct(&entry);
-        entry.agreement = entries
-            .first()
-            .map(|first| agreement(first, &entry, plan.scene.smallest_radius()));
-        entries.push(entry);
+        })
+        .collect();
+    for entry in &mut entries {
+        entry.distributions = distribution::of(entry, plan.scene.balls.len());
+        entry.orders = orders::distinct(entry);
+    }
+    let reference = entries.iter().position(|e| e.complete().next().is_some());
+    if let Some(index) = reference {
+        let radius = plan.scene.smallest_radius();
+        let agreements: Vec<Option<Agreement>> = entries
+            .iter()
+            .enumerate()
+            .map(|(i, entry)| (i != index).then(|| agreement(&entries[index], entry, radius)))
+            .collect();
+        for (entry, agreement) in entries.iter_mut().zip(agreements) {
+            entry.agreement = agreement;
+        }
     }
     Outcome {
-        tests: distribution::tests(&entries, &plan.scene),
-        frequent: orders::most_frequent(&entries),
+        tests: distribution::tests(&entries, reference, &plan.scene),
+        frequent: orders::most_frequent(&entries, reference),
         plan,
         law,
         done,
         entries,
+        reference,
     }
 }

@@ -31,8 +31,8 @@ pub(super) fn distinct(entry: &Entry) -> usize {
     orders.len()
 }
 
-/// The orders that occur most often: in the first engine, then in all; of equals the one that occurs first.
-pub(super) fn most_frequent(entries: &[Entry]) -> Vec<Frequent> {
+/// The orders that occur most often: in the reference, then in all; of equals the one that occurs first.
+pub(super) fn most_frequent(entries: &[Entry], reference: Option<usize>) -> Vec<Frequent> {
     let mut known: BTreeMap<Order, Frequent> = BTreeMap::new();
     for (engine, entry) in entries.iter().enumerate() {
         for (sample, landing) in entry.complete() {
@@ -50,8 +50,8 @@ pub(super) fn most_frequent(entries: &[Entry]) -> Vec<Frequent> {
     let mut orders: Vec<Frequent> = known.into_values().collect();
     orders.sort_by_key(|frequent| {
         let all: usize = frequent.counts.iter().sum();
-        let in_first = frequent.counts.first().copied().unwrap_or_default();
-        (usize::MAX - in_first, usize::MAX - all, frequent.first)
+        let in_reference = reference.map_or(0, |index| frequent.counts[index]);
+        (usize::MAX - in_reference, usize::MAX - all, frequent.first)
     });
     orders.truncate(MOST);
     orders

@@ -5,7 +5,7 @@ use super::{Entry, Farthest, Outcome, Quantity, Test, figures};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::math::statistics::Distribution;
 use crate::study::compare::describe_scene;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What the terminal shows.
 pub fn summary(outcome: &Outcome) -> Document {
@@ -85,30 +85,29 @@ fn plural(n: usize) -> &'static str {
 
 /// The sentence a person came for.
 fn headline(outcome: &Outcome) -> String {
-    let Some((first, others)) = outcome.entries.split_first() else {
-        return String::new();
-    };
-    let complete = first.complete().count();
-    if complete == 0 {
-        return format!(
-            "{} reaches the end in none of {} samples.",
-            first.label(),
-            outcome.done
-        );
+    let mut sentences = Vec::new();
+    let reference = outcome.reference.map(|index| &outcome.entries[index]);
+    for (index, entry) in outcome.entries.iter().enumerate() {
+        if entry.complete().next().is_none() {
+            sentences.push(format!(
+                "{} reaches the end in none of {} samples.",
+                entry.label(),
+                outcome.done
+            ));
+        } else if let Some(reference) = reference.filter(|_| entry.agreement.is_some()) {
+            sentences.push(against(outcome, reference, index, entry));
+        }
     }
-    if others.is_empty() {
-        return alone(outcome, first, complete);
+    let compared = !outcome.tests.is_empty();
+    if let Some(reference) = reference.filter(|_| !compared) {
+        sentences.push(alone(outcome, reference));
     }
-    let sentences: Vec<String> = others
-        .iter()
-        .enumerate()
-        .map(|(k, entry)| against_first(outcome, first, k + 1, entry))
-        .collect();
     sentences.join(" ")
 }
 
 /// What one engine by itself says: how wide its answers are spread.
-fn alone(outcome: &Outcome, entry: &Entry, complete: usize) -> String {
+fn alone(outcome: &Outcome, entry: &Entry) -> String {
+    let complete = entry.complete().count();
     let scene = &outcome.plan.scene;
     let widest = figures::widest(entry);
     let spread = widest.map_or(String::new(), |(ball, which, deviation)| {
@@ -129,15 +128,19 @@ fn alone(outcome: &Outcome, entry: &Entry, complete: usize) -> String {
     )
 }
 
-fn against_first(outcome: &Outcome, first: &Entry, index: usize, entry: &Entry) -> String {
+/// What an engine says against the reference.
+fn against(outcome: &Outcome, reference: &Entry, index: usize, entry: &Entry) -> String {
     let scene = &outcome.plan.scene;
     let label = entry.label();
     let Some(agreement) = entry.agreement.as_ref().filter(|a| a.both > 0) else {
-        return format!("{label} and {} have no sample in common.", first.label());
+        return format!(
+            "{label} and {} have no sample in common.",
+            reference.label()
+        );
     };
     let apart = agreement.apart.map_or(String::new(), |farthest| {
         format!(
-            ", and no ball ends farther away than {} R",
+            ", and final positions differ by up to {} R",
             short(farthest.value)
         )
     });
@@ -145,19 +148,19 @@ fn against_first(outcome: &Outcome, first: &Entry, index: usize, entry: &Entry) 
     if agreement.same_events == both {
         return format!(
             "{label} has the order of all events of {} in {both} of {both} samples{apart}.",
-            first.label()
+            reference.label()
         );
     }
-    let differing: BTreeMap<usize, ()> = outcome
+    let differing: BTreeSet<usize> = outcome
         .tests
         .iter()
         .filter(|test| test.entry == index && test.differs)
-        .map(|test| (test.ball, ()))
+        .map(|test| test.ball)
         .collect();
     format!(
-        "{label} has the collision order of {} in {} of {both} samples{apart}; where or when a ball stops is distributed \
-         differently for {} of {} balls.",
-        first.label(),
+        "{label} has the collision order of {} in {} of {both} samples{apart}; the distributions of where or when a ball stops are \
+         found to differ for {} of {} balls.",
+        reference.label(),
         agreement.same_collisions,
         differing.len(),
         scene.balls.len()
@@ -214,12 +217,16 @@ fn engine_table(outcome: &Outcome) -> Table {
     }
 }
 
-/// Each engine against the first one, sample by sample.
+/// Each engine against the reference, sample by sample.
 fn agreement_table(outcome: &Outcome) -> Option<Table> {
-    let (first, others) = outcome.entries.split_first()?;
-    if others.is_empty() {
-        return None;
-    }
+    let reference = &outcome.entries[outcome.reference?];
+    let others = || {
+        outcome
+            .entries
+            .iter()
+            .filter_map(|e| Some((e, e.agreement.as_ref()?)))
+    };
+    others().next()?;
     let columns = vec![
         Column::words("engine", "engine"),
         Column::number("both", "samples complete in both", ""),
@@ -239,8 +246,7 @@ fn agreement_table(outcome: &Outcome) -> Option<Table> {
         })
     };
     let mut rows = Vec::new();
-    for entry in others {
-        let agreement = entry.agreement.clone().unwrap_or_default();
+    for (entry, agreement) in others() {
         rows.push(vec![
             Cell::text(entry.label()),
             Cell::Count(agreement.both as u64),
@@ -252,7 +258,7 @@ fn agreement_table(outcome: &Outcome) -> Option<Table> {
     }
     Some(Table {
         id: "agreement".to_owned(),
-        title: format!("Against {}, sample by sample", first.label()),
+        title: format!("Against {}, sample by sample", reference.label()),
         columns,
         rows,
         note: "The largest difference of any ball over all samples. Samples are numbered from 0."
@@ -295,11 +301,13 @@ fn ball_table(outcome: &Outcome) -> Table {
             rows.push(row);
         }
     }
-    let note = if several {
+    let reference = outcome
+        .reference
+        .map(|index| outcome.entries[index].label());
+    let note = if let Some(reference) = reference.filter(|_| several) {
         format!(
-            "Mean and standard deviation over the complete runs. Differs: by Kolmogorov and Smirnov against {}, with a \
+            "Mean and standard deviation over the complete runs. Differs: by Kolmogorov and Smirnov against {reference}, with a \
              p-value below {LEVEL} after Holm's correction for all {} tests here, and by more than {NEGLIGIBLE:e} R.",
-            outcome.entries[0].label(),
             outcome.tests.len()
         )
     } else {
@@ -322,7 +330,7 @@ fn fixed(
     number.map_or(Cell::Empty, |x| Cell::Fixed(x, 4))
 }
 
-/// The quantities in which a ball is distributed differently from the first engine.
+/// The quantities in which a ball is distributed differently from the reference.
 fn differences(outcome: &Outcome, entry: usize, ball: usize) -> Cell {
     let own: Vec<&Test> = outcome
         .tests
@@ -370,7 +378,7 @@ fn order_table(outcome: &Outcome) -> Table {
     }
 }
 
-/// Quantiles of one quantity, and its test against the first engine.
+/// Quantiles of one quantity, and its test against the reference.
 fn quantity_table(outcome: &Outcome, which: usize, quantity: Quantity) -> Table {
     const SHARES: [(&str, f64); 5] = [
         ("5", 0.05),
@@ -397,7 +405,7 @@ fn quantity_table(outcome: &Outcome, which: usize, quantity: Quantity) -> Table 
         Column::number("p", "p", ""),
         Column::number("corrected", "p, corrected", ""),
         Column::number("transport", "moved by", scale_unit),
-        Column::words("verdict", "against the first"),
+        Column::words("verdict", "against the reference"),
     ]);
     let mut rows = Vec::new();
     for (ball, id) in scene.balls.iter().map(|ball| &ball.id).enumerate() {
