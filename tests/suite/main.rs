@@ -17,6 +17,7 @@ mod rapier;
 mod references;
 mod registries;
 mod report;
+mod roots;
 mod scene_cli;
 mod scene_errors;
 mod scene_fuzz;
