@@ -11,6 +11,7 @@ mod exact_endings;
 mod exact_laws;
 mod exact_reflections;
 mod exact_symmetries;
+mod missed_collisions;
 mod precision;
 mod random;
 mod rapier;
