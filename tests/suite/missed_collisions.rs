@@ -193,10 +193,10 @@ fn scene(index: u64) -> Scene {
             mu,
             // without friction collisions go on for ever
             duration: if mu > 0.1 { 20.0 } else { 3.0 },
-            unequal: index % 2 == 0,
+            unequal: index.is_multiple_of(2),
         },
     );
-    if index % 5 == 0 {
+    if index.is_multiple_of(5) {
         (scene.effects.cushion, scene.table) = (None, None);
     }
     scene.name = format!("scene {index}");
