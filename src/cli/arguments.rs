@@ -3,7 +3,7 @@
 use super::Failure;
 use super::scene::SceneCommand;
 use crate::engine::exact::Precision;
-use crate::engine::{self, ENGINES, Setting};
+use crate::engine::{self, ENGINES, Limits, Setting};
 use crate::report::FORMATS;
 use crate::study::Column;
 use clap::builder::PossibleValuesParser;
@@ -77,6 +77,9 @@ pub struct RunArguments {
     /// Simulated time between two recorded samples of a stepping engine, s.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.01)]
     pub every: f64,
+    /// Most events of an event-driven engine; a run that reaches it ends there and says so.
+    #[arg(long, value_name = "N", default_value_t = Limits::NONE.max_events)]
+    pub max_events: u64,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,

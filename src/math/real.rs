@@ -28,6 +28,9 @@ pub trait Real:
     /// Bits of the significand.
     const BITS: u32;
 
+    /// Largest relative error of one operation; half an ulp where operations round to nearest.
+    const ROUNDING: f64 = Self::ULP / 2.0;
+
     /// Whether the last step of an iteration must be taken from a detached start, so that derivatives come out exact.
     const DIFFERENTIATES: bool = false;
 

@@ -109,8 +109,8 @@ pub enum Ending {
     Duration,
     /// The user asked to stop.
     Cancelled,
-    /// The limit on events was reached.
-    Budget,
+    /// The limit on events was reached; the balls are those of the event that would have come next.
+    Budget(Spot),
     /// An impact left a ball approaching several balls at once: the order would decide the result.
     Indeterminate(Spot),
     /// A graze or stop at rounding level: the scalar cannot tell whether it happens.
@@ -128,7 +128,7 @@ impl Ending {
             Ending::Rest => "rest",
             Ending::Duration => "duration",
             Ending::Cancelled => "cancelled",
-            Ending::Budget => "budget",
+            Ending::Budget(_) => "budget",
             Ending::Indeterminate(_) => "indeterminate",
             Ending::Undecidable(_) => "undecidable",
             Ending::Collapsed(_) => "collapsed",
@@ -139,11 +139,12 @@ impl Ending {
     /// Where it ended, for the endings that have a place.
     pub fn spot(&self) -> Option<&Spot> {
         match self {
-            Ending::Indeterminate(spot)
+            Ending::Budget(spot)
+            | Ending::Indeterminate(spot)
             | Ending::Undecidable(spot)
             | Ending::Collapsed(spot)
             | Ending::NotFinite(spot) => Some(spot),
-            Ending::Rest | Ending::Duration | Ending::Cancelled | Ending::Budget => None,
+            Ending::Rest | Ending::Duration | Ending::Cancelled => None,
         }
     }
 

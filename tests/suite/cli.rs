@@ -116,6 +116,40 @@ fn two_runs_write_the_same_bytes() {
 }
 
 #[test]
+fn a_budget_of_events_ends_a_run_and_says_where() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("few");
+    let output = carom(&[
+        "run",
+        "report-break",
+        "--engine",
+        "exact",
+        "--max-events",
+        "5",
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    assert!(
+        printed.contains("budget") && printed.contains("limit of 5 events"),
+        "{printed}"
+    );
+    let events = fs::read_to_string(out.join("events.csv")).unwrap();
+    assert_eq!(events.lines().count(), 1 + 5, "{events}");
+    let run: Value =
+        serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
+    assert_eq!(run["ending"]["kind"], "budget");
+    assert_eq!(run["ending"]["spot"]["time"], run["end_time"]);
+    assert!(
+        !run["ending"]["spot"]["balls"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+}
+
+#[test]
 fn what_cannot_run_ends_with_2_and_says_why_on_stderr() {
     let out = tempfile::tempdir().unwrap();
     let out = out.path().join("x");

@@ -82,7 +82,7 @@ fn ending(balls: u32) -> impl Strategy<Value = Ending> {
         0 => Ending::Rest,
         1 => Ending::Duration,
         2 => Ending::Cancelled,
-        3 => Ending::Budget,
+        3 => Ending::Budget(spot),
         4 => Ending::Indeterminate(spot),
         5 => Ending::Undecidable(spot),
         6 => Ending::Collapsed(spot),
@@ -574,7 +574,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.run = f.run.replace("\"duration\"", "\"collapsed\""),
-            "run.json: `ending`: kind `collapsed`: expected rest, duration, cancelled or budget without a spot, or indeterminate, undecidable, collapsed or not-finite with one",
+            "run.json: `ending`: kind `collapsed`: expected rest, duration or cancelled without a spot, or budget, indeterminate, undecidable, collapsed or not-finite with one",
         ),
         (
             |f| f.run = f.run.replace("\"cue\"", "\"8\""),
