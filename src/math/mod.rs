@@ -3,6 +3,8 @@
 pub mod angle;
 pub mod double_double;
 pub mod dual;
+pub mod exponential;
+pub mod extrapolation;
 pub mod first_root;
 mod octuple;
 pub mod random;
