@@ -169,6 +169,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         self.chain(root, T::one() / (root + root))
     }
 
+    fn exp(self) -> Self {
+        let power = self.value.exp();
+        self.chain(power, power)
+    }
+
     fn is_finite(self) -> bool {
         self.value.is_finite()
     }

@@ -1,8 +1,9 @@
 //! The scalar that the exact engine and the impact laws are generic over.
 //!
-//! It asks for field arithmetic, order and a square root and nothing else, so that a number with more digits or one that
+//! It asks for field arithmetic, order and a square root and builds the rest on them, so that a number with more digits or one that
 //! carries a derivative can be written in one file. Inputs are the f64 numbers of a scene, lifted exactly.
 
+use super::exponential::exponential;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};
 use std::ops::Neg;
@@ -47,6 +48,11 @@ pub trait Real:
 
     /// Square root; NaN below zero.
     fn sqrt(self) -> Self;
+
+    /// `e` to the power of this number, to a few ulp times `1 + |x|`.
+    fn exp(self) -> Self {
+        exponential(self)
+    }
 
     /// Absolute value.
     fn abs(self) -> Self {
@@ -100,6 +106,9 @@ impl Real for f64 {
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
+    fn exp(self) -> Self {
+        f64::exp(self)
+    }
     fn abs(self) -> Self {
         f64::abs(self)
     }
@@ -116,6 +125,9 @@ impl Real for f32 {
     }
     fn sqrt(self) -> Self {
         f32::sqrt(self)
+    }
+    fn exp(self) -> Self {
+        f32::exp(self)
     }
     fn abs(self) -> Self {
         f32::abs(self)

@@ -1,11 +1,11 @@
-//! Where balls may be: on the table, apart from each other, and at coordinates that f64 resolves.
+//! Where balls may be: on the table, apart from each other, outside pockets, and at coordinates that f64 resolves.
 
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
 use super::{Ball, Scene};
 use crate::math::grid::Grid;
-use crate::physics::Side;
 use crate::physics::contact::plan_distance;
+use crate::physics::{Side, pockets};
 
 /// Largest share of a radius that "touching" may be: beyond it coordinates are too large to hold the ball.
 const COARSEST: f64 = 1e-6;
@@ -29,6 +29,7 @@ pub(super) fn check(
     }
     outside(scene, paths, at, problems);
     overlaps(scene, paths, at, problems);
+    in_pockets(scene, paths, at, problems);
 }
 
 fn too_far_out(scene: &Scene, paths: &[String], at: &Located<'_>) -> Diagnostic {
@@ -162,4 +163,25 @@ fn overlap_of(
         at.value(&paths[other]),
         format!("ball \"{}\"", scene.balls[other].id),
     )
+}
+
+fn in_pockets(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+    let Some(pockets) = &scene.effects.pockets else {
+        return;
+    };
+    let held = |ball: &super::Ball| pockets::holding(pockets, &ball.state.position);
+    let balls = scene.balls.iter().zip(paths);
+    let found = balls.filter_map(|(ball, path)| Some((ball, path, held(ball)?)));
+    problems.extend(found.take(MOST).map(|(ball, path, pocket)| {
+        let [x, y, r] = pockets.circles[pocket];
+        let message = format!("ball \"{}\" starts in pocket p{pocket}", ball.id);
+        let help = format!(
+            "its centre must be more than {} from [{}, {}], or the pocket elsewhere",
+            short(r),
+            short(x),
+            short(y)
+        );
+        let circle = at.value(&format!("effects.pockets.circles[{pocket}]"));
+        Diagnostic::new(Kind::Overlap, at.value(path), message, help).and(circle, "this pocket")
+    }));
 }

@@ -12,7 +12,7 @@ use super::{Ball, Scene, Shot, Simultaneous, plan_vector};
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
 use crate::math::random::Draws;
-use crate::physics::Side;
+use crate::physics::{Side, State};
 use crate::physics::cue::speed_from_force;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -282,8 +282,8 @@ fn driven(scene: &Scene) -> Option<usize> {
 
 /// Turns the motion of a ball by `turn` degrees and multiplies it by `factor`; a shot that set it in motion with it.
 fn drive(scene: &mut Scene, ball: usize, turn: f64, factor: f64) {
-    let mass = scene.balls[ball].mass;
-    let velocity = &mut scene.balls[ball].state.velocity;
+    let (mass, radius) = (scene.balls[ball].mass, scene.balls[ball].radius);
+    let State { velocity, spin, .. } = &mut scene.balls[ball].state;
     match &mut scene.shot {
         Some(Shot::Force {
             ball: shot,
@@ -303,6 +303,15 @@ fn drive(scene: &mut Scene, ball: usize, turn: f64, factor: f64) {
             *angle_deg += turn;
             *speed *= factor;
             *velocity = plan_vector(*speed, *angle_deg);
+        }
+        Some(Shot::Strike {
+            ball: shot,
+            strike,
+        }) if *shot == ball => {
+            strike.angle_deg += turn;
+            strike.speed *= factor;
+            let motion = strike.motion(mass, radius);
+            (*velocity, *spin) = (motion.velocity, motion.spin);
         }
         _ => {
             let (c, s) = unit_vector(turn);

@@ -71,6 +71,10 @@ fn aim_and_speed_fill_their_intervals_and_the_shot_says_the_same_as_the_velocity
                     angle_deg,
                     speed,
                 }) => (ball, carom::scene::plan_vector(speed, angle_deg)),
+                Some(Shot::Strike { ball, strike }) => {
+                    let struck = &sample.balls[ball];
+                    (ball, strike.motion(struck.mass, struck.radius).velocity)
+                }
                 None => (0, sample.balls[0].state.velocity),
             };
             assert_eq!(sample.balls[ball].state.velocity, said, "{name} {index}");

@@ -49,7 +49,7 @@ use super::{
 };
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::physics::invariants::{Invariant, kinetic_energy};
-use crate::physics::{Cloth, Contact, Cushion};
+use crate::physics::{Cloth, Contact, Cushion, Friction, Pockets};
 use crate::scene::{Ball, Scene, Simultaneous};
 use crate::trace::{Provenance, Record, Trace};
 use flight::Ground;
@@ -150,17 +150,33 @@ impl Engine for Exact {
 
     fn missing(&self, scene: &Scene) -> Vec<&'static str> {
         // exhaustive, so that a new law does not compile until it is answered here
-        match (
-            scene.effects.cloth,
-            scene.effects.contact,
-            scene.effects.cushion,
-        ) {
-            (
-                None | Some(Cloth::Translational { .. }),
-                None | Some(Contact::Elastic {}),
-                None | Some(Cushion::Elastic {}),
-            ) => Vec::new(),
+        let mut missing = Vec::new();
+        match scene.effects.cloth {
+            None | Some(Cloth::Translational { .. }) => {}
+            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
         }
+        match scene.effects.contact {
+            None | Some(Contact::Elastic {}) => {}
+            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+        }
+        match scene.effects.friction {
+            None => {}
+            Some(law @ (Friction::Constant { .. } | Friction::Alciatore { .. })) => {
+                missing.push(law.id());
+            }
+        }
+        match scene.effects.cushion {
+            None | Some(Cushion::Elastic {}) => {}
+            Some(
+                law @ (Cushion::Restitution { .. }
+                | Cushion::Han2005 { .. }
+                | Cushion::Mathavan2010 { .. }),
+            ) => missing.push(law.id()),
+        }
+        if scene.effects.pockets.is_some() {
+            missing.push(Pockets::<f64>::ID);
+        }
+        missing
     }
 
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
@@ -349,11 +365,18 @@ impl<T: Real> Run for Prepared<'_, T> {
             Some(Cloth::Translational { mu }) => {
                 sheet.push(row(Role::ClothFriction, "mu", mu, ""));
             }
+            Some(Cloth::Rotational { mu_slide, .. }) => {
+                sheet.push(row(Role::ClothFriction, "mu_slide", mu_slide, ""));
+            }
             None => sheet.push(row(Role::ClothFriction, "cloth", "none", "")),
         }
         match scene.effects.contact {
             Some(Contact::Elastic {}) => {
                 sheet.push(row(Role::BallRestitution, "restitution", 1.0, ""));
+                sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
+            }
+            Some(Contact::Inelastic { e }) => {
+                sheet.push(row(Role::BallRestitution, "restitution", e, ""));
                 sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
             }
             None => sheet.push(row(Role::BallRestitution, "contact", "none", "")),
@@ -362,6 +385,14 @@ impl<T: Real> Run for Prepared<'_, T> {
             Some(Cushion::Elastic {}) => {
                 sheet.push(row(Role::CushionRestitution, "restitution", 1.0, ""));
                 sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
+            }
+            Some(Cushion::Restitution { e }) => {
+                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
+                sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
+            }
+            Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
+                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
+                sheet.push(row(Role::CushionFriction, "friction", mu, ""));
             }
             None => sheet.push(row(Role::CushionRestitution, "cushion", "none", "")),
         }
@@ -392,11 +423,18 @@ impl<T: Real> Prepared<'_, T> {
                     restitution,
                 });
             };
-            if let Some(Contact::Elastic {}) = world.contact {
-                add(Partner::Ball, 0.0, 1.0);
+            match world.contact {
+                Some(Contact::Elastic {}) => add(Partner::Ball, 0.0, 1.0),
+                Some(Contact::Inelastic { e }) => add(Partner::Ball, 0.0, e.to_f64()),
+                None => {}
             }
-            if let Some(Cushion::Elastic {}) = world.cushion {
-                add(Partner::Cushion, 0.0, 1.0);
+            match world.cushion {
+                Some(Cushion::Elastic {}) => add(Partner::Cushion, 0.0, 1.0),
+                Some(Cushion::Restitution { e }) => add(Partner::Cushion, 0.0, e.to_f64()),
+                Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
+                    add(Partner::Cushion, mu.to_f64(), e.to_f64());
+                }
+                None => {}
             }
             match world.ground {
                 // what acts is mu g; the scene's gravity makes it comparable
@@ -408,6 +446,7 @@ impl<T: Real> Prepared<'_, T> {
                 Ground::Frictionless => {
                     let mu = self.scene.effects.cloth.map_or(0.0, |cloth| match cloth {
                         Cloth::Translational { mu } => mu,
+                        Cloth::Rotational { mu_slide, .. } => mu_slide,
                     });
                     add(Partner::Cloth, mu, 0.0);
                 }

@@ -2,6 +2,7 @@
 
 use super::tangent::{Motion2, Replay, Rough, Script};
 use crate::math::{Dual, Real};
+use crate::physics::Pockets;
 use crate::scene::Scene;
 use crate::trace::Trace;
 use nalgebra::DMatrix;
@@ -248,7 +249,12 @@ fn inputs(scene: &Scene) -> Vec<Input> {
     if scene.balls[scene.cue_ball()].state.speed() > 0.0 {
         inputs.extend([Input::Aim, Input::Speed]);
     }
-    scene.effects.map(|key, _| inputs.push(Input::Effect(key)));
+    scene.effects.map(|key, _| {
+        // where pockets are moves no ball
+        if !key.starts_with(Pockets::<f64>::ID) {
+            inputs.push(Input::Effect(key));
+        }
+    });
     if scene.effects.contact.is_some() {
         inputs.push(Input::BallRestitution);
     }

@@ -466,6 +466,7 @@ mod tests {
                 cloth: Some(Cloth::Translational { mu: 0.2 }),
                 contact: Some(Contact::Elastic {}),
                 cushion: Some(Cushion::Elastic {}),
+                ..Effects::default()
             },
             simultaneous: Simultaneous::Refuse,
             richer: None,

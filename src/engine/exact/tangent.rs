@@ -139,7 +139,8 @@ impl<'a, const N: usize> Replay<'a, N> {
         let (x, y) = (q[0] - p[0], q[1] - p[1]);
         let apart = (x * x + y * y).sqrt();
         let n = Vector3::new(x / apart, y / apart, Dual::zero());
-        let (one, two) = contact::impact(law, &self.body(a, before), &self.body(b, other), &n);
+        let (one, two) =
+            contact::impact(law, None, &self.body(a, before), &self.body(b, other), &n);
         let change = self.restitution[0];
         let sides = [
             (a, p, restored(before, &one, change)),
@@ -157,7 +158,7 @@ impl<'a, const N: usize> Replay<'a, N> {
         let beyond = outward(position[axis] - self.world.reach[a][side as usize]);
         let time = moved(t, &-beyond, -outward(velocity[axis]).value)?;
         let (position, before) = self.flights[a].at(time);
-        let after = cushion::impact(law, &self.body(a, before), side);
+        let after = cushion::impact(law, &self.body(a, before), side).motion;
         let after = restored(before, &after, self.restitution[1]);
         self.leave(index, time, &[(a, position, after)])?;
         Some(time)

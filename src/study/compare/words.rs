@@ -2,6 +2,7 @@
 
 use crate::compare::Order;
 use crate::engine::exact::horizon::Horizon;
+use crate::physics::Pockets;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
 
@@ -14,6 +15,12 @@ pub fn describe_scene(scene: &Scene) -> String {
     let mut numbers: Vec<(&'static str, f64)> = Vec::new();
     scene.effects.map(|key, value| numbers.push((key, value)));
     let with_numbers = |id: &&'static str| {
+        if let (&Pockets::<f64>::ID, Some(pockets)) = (id, &scene.effects.pockets) {
+            return match pockets.circles.len() {
+                1 => "1 pocket".to_owned(),
+                n => format!("{n} pockets"),
+            };
+        }
         let own = numbers.iter().filter_map(|(key, value)| {
             let name = key.strip_prefix(id)?.strip_prefix('.')?;
             Some(format!(" {name} {value}"))
