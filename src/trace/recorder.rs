@@ -27,6 +27,7 @@ pub struct Recorder {
     events: Vec<Event>,
     event_count: u32,
     stop_times: Vec<Option<f64>>,
+    pocketed: Vec<bool>,
     extrema: Extrema,
     ledger: Ledger,
     next_sample: f64,
@@ -63,6 +64,7 @@ impl Recorder {
                 .iter()
                 .map(|s| (s.speed() <= rest_speed).then_some(0.0))
                 .collect(),
+            pocketed: vec![false; initial.len()],
             extrema: Extrema::default(),
             ledger: Ledger::default(),
             next_sample: match record {
@@ -101,7 +103,7 @@ impl Recorder {
     /// the step with the hit left it.
     pub fn pin(&mut self, ball: usize, time: f64, state: &State) {
         if self.record != Record::Final {
-            self.knot(ball, time, state);
+            add_knot(&mut self.paths[ball], time, state);
         }
     }
 
@@ -115,7 +117,7 @@ impl Recorder {
         if self.record == Record::Final {
             return;
         }
-        self.knot(ball, time, before);
+        add_knot(&mut self.paths[ball], time, before);
         self.paths[ball].knots.push(Knot {
             time,
             state: *after,
@@ -131,6 +133,16 @@ impl Recorder {
         event
     }
 
+    /// A ball left play: adds the `pocket` event and the end of its path. Its later states are not looked at.
+    pub fn pocket(&mut self, ball: usize, time: f64, state: &State, pocket: usize) {
+        let event = self.event(time, EventKind::Pocket(ball as u32, pocket as u32), None);
+        if self.record == Record::Final {
+            add_knot(&mut self.paths[ball], time, state);
+        }
+        self.jump(ball, time, state, state, event);
+        self.pocketed[ball] = true;
+    }
+
     /// True when a cadence sample is due at `time`.
     pub fn due(&self, time: f64) -> bool {
         time >= self.next_sample
@@ -141,13 +153,11 @@ impl Recorder {
         let Record::Every(cadence) = self.record else {
             return;
         };
-        for (ball, state) in states.iter().enumerate() {
-            let resting = self.paths[ball]
-                .knots
-                .last()
-                .is_some_and(|knot| knot.state == *state);
+        let balls = self.paths.iter_mut().zip(states).zip(&self.pocketed);
+        for ((path, state), _) in balls.filter(|(_, pocketed)| !**pocketed) {
+            let resting = path.knots.last().is_some_and(|knot| knot.state == *state);
             if !resting {
-                self.knot(ball, time, state);
+                add_knot(path, time, state);
             }
         }
         // counted, not accumulated: the cadence must not drift
@@ -194,18 +204,12 @@ impl Recorder {
         ending: Ending,
         counters: BTreeMap<String, u64>,
     ) -> Trace {
-        let mut pocketed = vec![false; states.len()];
-        for event in &self.events {
-            if let EventKind::Pocket(ball, _) = event.kind {
-                pocketed[ball as usize] = true;
-            }
-        }
         for (ball, state) in states.iter().enumerate() {
-            if pocketed[ball] {
+            if self.pocketed[ball] {
                 self.stop_times[ball] = None;
                 continue;
             }
-            self.knot(ball, time, state);
+            add_knot(&mut self.paths[ball], time, state);
             if state.speed() > self.provenance.rest_speed {
                 self.stop_times[ball] = None;
             }
@@ -223,20 +227,20 @@ impl Recorder {
             end_time: time,
         }
     }
+}
 
-    /// A knot that belongs to no event, unless the last one says the same already.
-    fn knot(&mut self, ball: usize, time: f64, state: &State) {
-        let knots = &mut self.paths[ball].knots;
-        let known = knots
-            .last()
-            .is_some_and(|knot| knot.time == time && knot.state == *state);
-        if !known {
-            knots.push(Knot {
-                time,
-                state: *state,
-                after: None,
-            });
-        }
+/// A knot that belongs to no event, unless the last one says the same already.
+fn add_knot(path: &mut Path, time: f64, state: &State) {
+    let known = path
+        .knots
+        .last()
+        .is_some_and(|knot| knot.time == time && knot.state == *state);
+    if !known {
+        path.knots.push(Knot {
+            time,
+            state: *state,
+            after: None,
+        });
     }
 }
 
