@@ -116,6 +116,9 @@ impl<T: Real> View<'_, T> {
     ) {
         if self.flights[ball].moves() {
             self.cushions(ball, except, best, notes);
+            if !self.world.pockets.is_empty() {
+                self.pockets(ball, best, notes);
+            }
         }
         if self.world.contact.is_some() {
             self.balls(ball, partners, except, best, notes);
@@ -171,6 +174,30 @@ impl<T: Real> View<'_, T> {
         }
     }
 
+    #[cold]
+    fn pockets(&self, ball: usize, best: &mut Candidate<T>, notes: &mut Notes<T>) {
+        let flight = &self.flights[ball];
+        for (pocket, [x, y, radius]) in self.world.pockets.iter().enumerate() {
+            let approach = Approach {
+                p: [*x - flight.position[0], *y - flight.position[1]],
+                v: flight.velocity.map(|v| -v),
+                a: flight.acceleration.map(|a| -a),
+                distance: *radius,
+            };
+            let limit = later(best.time) - flight.start;
+            notes.root_calls += 1;
+            let end = flight.end - flight.start;
+            let found = first_contact_by(&approach, end, limit, &self.world.blur);
+            best.or(flight.start, 0, found, || {
+                let (ball, pocket) = (ball as u32, pocket as u32);
+                (
+                    What::Pocket(ball, pocket),
+                    What::UnclearPocket(ball, pocket),
+                )
+            });
+        }
+    }
+
     fn balls(
         &self,
         ball: usize,
@@ -214,9 +241,10 @@ impl<T: Real> View<'_, T> {
                 continue;
             }
             let v = [motion[0] - velocity[0], motion[1] - velocity[1]];
-            let found = if !partner.moves() {
+            let curved = flight.phase == Phase::Curve || partner.phase == Phase::Curve;
+            let found = if !partner.moves() && !curved {
                 straight_contact(p, v, flight.end - since, distance, limit, &world.blur)
-            } else if !moves || partner.phase == Phase::Free {
+            } else if !curved && (!moves || partner.phase == Phase::Free) {
                 straight_contact(p, v, partner.end - since, distance, limit, &world.blur)
             } else {
                 let a = [

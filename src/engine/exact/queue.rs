@@ -13,12 +13,16 @@ pub enum What {
     Pair(u32, u32),
     /// It meets a cushion.
     Cushion(u32, Side),
+    /// It enters a pocket: ball, pocket.
+    Pocket(u32, u32),
     /// Its phase ends.
     End(u32),
     /// It is not clear from then on whether it meets another ball: (smaller, larger) index.
     UnclearPair(u32, u32),
     /// It is not clear from then on whether it meets a cushion.
     UnclearCushion(u32, Side),
+    /// It is not clear from then on whether it enters a pocket: ball, pocket.
+    UnclearPocket(u32, u32),
     /// It leaves its square of the cells: nothing of the trace.
     Leaving(u32, Side),
     /// It has none.
@@ -32,6 +36,8 @@ impl What {
             What::Pair(a, b) | What::UnclearPair(a, b) => vec![a as usize, b as usize],
             What::Cushion(a, _)
             | What::UnclearCushion(a, _)
+            | What::Pocket(a, _)
+            | What::UnclearPocket(a, _)
             | What::End(a)
             | What::Leaving(a, _) => vec![a as usize],
             What::Nothing => Vec::new(),
