@@ -12,7 +12,7 @@ use crate::math::first_root::{Blur, Contact, first_crossing};
 use crate::math::grid::Grid;
 use crate::physics::Side;
 
-/// Balls from which on cells are worth their trouble: below, looking at every ball is as quick (`benches/scale.rs` prints both).
+/// Balls from which on cells are worth their trouble: below, looking at every ball is as quick.
 pub const ENOUGH_BALLS: usize = 20;
 
 /// Sides of squares, in largest contact distances. Narrower ones are left more often, wider ones hold more balls.
@@ -22,7 +22,7 @@ const WIDTH: f64 = 1.125;
 const BLURS: f64 = 256.0;
 
 /// Squares for each ball, at most.
-const SQUARES: usize = 4;
+const SQUARES: usize = 2;
 
 /// Partners for each ball that a layout may look at in vain before it is laid out anew.
 const PATIENCE: u64 = 64;
@@ -162,7 +162,14 @@ impl Cells {
                     continue;
                 }
                 let gap = (T::lift(edge) - position[axis]) * outward;
-                let found = first_crossing(gap, speed, acceleration, limit, &exactly);
+                if gap > (speed + acceleration.at_least(T::zero()) * limit) * limit {
+                    continue;
+                }
+                let found = if acceleration.is_zero() {
+                    Contact::At((gap / speed).at_least(T::zero()))
+                } else {
+                    first_crossing(gap, speed, acceleration, limit, &exactly)
+                };
                 if let Contact::At(after) | Contact::Unclear(after) = found {
                     let one = Candidate {
                         time: now + after,

@@ -136,6 +136,15 @@ impl<T: Real> View<'_, T> {
             return;
         };
         let flight = &self.flights[ball];
+        let blur = &self.world.blur;
+        // mostly no cushion is within what is left of the way to the best so far
+        let way = flight.fastest * (later(best.time) - flight.start) + blur.length * T::lift(4.0);
+        let way = notes.watch.map_or(way, |watch| way.at_least(watch));
+        let [x, y] = flight.position;
+        let free = x - reach[0] > way && reach[1] - x > way;
+        if free && y - reach[2] > way && reach[3] - y > way {
+            return;
+        }
         for side in Side::ALL {
             let axis = side.axis();
             let outward = |x: T| if side.sign() < 0 { -x } else { x };
@@ -152,14 +161,8 @@ impl<T: Real> View<'_, T> {
             {
                 continue;
             }
-            let blur = &self.world.blur;
-            let limit = later(best.time) - flight.start;
-            // too far away for the time that is left
-            let most = speed + acceleration.at_least(T::zero()) * limit;
-            if gap > most * limit + blur.length * T::lift(4.0) {
-                continue;
-            }
             notes.root_calls += 1;
+            let limit = later(best.time) - flight.start;
             let found = first_crossing(gap, speed, acceleration, limit, blur);
             // x before y in a corner; a cushion before the end of a phase
             best.or(flight.start, 0, found, || {
