@@ -5,7 +5,7 @@
 use carom::engine::{self, Limits, Setting};
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Scene, catalogue, parse, plan_vector};
-use carom::trace::{Record, Trace};
+use carom::trace::{Record, Trace, files};
 use criterion::{BatchSize, Criterion, Throughput};
 use std::hint::black_box;
 use std::time::Instant;
@@ -61,7 +61,7 @@ fn timed(scene: &Scene, pairs: &[&str], max_events: u64) -> (f64, Trace) {
     (start.elapsed().as_secs_f64(), trace)
 }
 
-/// Shortest time of an event, s, without the first prediction of all balls, which is the second number for each ball.
+/// Time of an event, s, without the first prediction of all balls, which is the second number for each ball.
 fn costs(scene: &Scene, pairs: &[&str], max_events: u64) -> (f64, f64, Trace) {
     let (start, _) = timed(scene, pairs, 0);
     let (whole, trace) = timed(scene, pairs, max_events);
@@ -123,6 +123,47 @@ fn sizes(title: &str, mu: Option<f64>) {
         "  exponent from 16 to 10^5 balls  {:8.3}   (demanded: 0.3)",
         between(0, 4)
     );
+}
+
+/// What comes before and after a run, for each ball: flat if it is linear.
+fn set_up() {
+    println!();
+    println!("us for each ball, shortest of {ROUNDS} rounds");
+    println!(
+        "{:>8} {:>9} {:>9} {:>9}",
+        "balls", "parse", "prepare", "write"
+    );
+    for n in SIZES {
+        let recipe = Recipe {
+            balls: n,
+            density: DENSITY,
+            ..Recipe::default()
+        };
+        let text = generate(&recipe).expect("a density at which discs fit");
+        let mut best = [f64::INFINITY; 3];
+        for _ in 0..ROUNDS {
+            let mut lap = |part: usize, since: Instant| {
+                let seconds = since.elapsed().as_secs_f64();
+                best[part] = best[part].min(seconds / n as f64);
+            };
+            let start = Instant::now();
+            let scene = parse("generated", &text).expect("a generated scene");
+            lap(0, start);
+            let start = Instant::now();
+            let run = prepared(&scene, "exact", &[]);
+            lap(1, start);
+            let limits = Limits {
+                max_events: n as u64,
+                ..Limits::NONE
+            };
+            let trace = run.simulate(Record::Events, &limits);
+            let start = Instant::now();
+            black_box(files::write(&trace).expect("a trace that can be written"));
+            lap(2, start);
+        }
+        let [parse, prepare, write] = best.map(|seconds| seconds * 1e6);
+        println!("{n:>8} {parse:>9.2} {prepare:>9.2} {write:>9.2}");
+    }
 }
 
 /// Looking at all balls against looking at those nearby.
@@ -233,6 +274,7 @@ fn main() {
         against_rapier();
         sizes("frictionless discs at density 0.3", None);
         sizes("discs at density 0.3 on a cloth, mu 0.1", Some(0.1));
+        set_up();
         cells();
     }
 }

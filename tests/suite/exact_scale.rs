@@ -1,10 +1,12 @@
 //! Engine `exact` with many balls: cells change what a run costs and nothing else.
 
 use crate::support::{MU, R, run, scenario};
+use carom::engine::{self, Limits, Setting};
 use carom::math::random::Draws;
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Scene, Simultaneous, catalogue, parse};
 use carom::trace::{Record, Trace};
+use std::collections::BTreeMap;
 
 /// A generated scene, changed.
 struct Discs {
@@ -214,5 +216,44 @@ fn touching_balls_are_found_through_cells() {
             _ => assert!(cells.events.len() > 64, "{:?}", cells.ending),
         }
         assert!(outcome(all) == outcome(cells), "exact, {simultaneous:?}");
+    }
+}
+
+/// Work and memory of a whole run up to a number of events: most bytes at one time, and counters.
+fn consumption(balls: usize, events: u64) -> (f64, BTreeMap<String, u64>) {
+    let scene = Discs::new(balls, 0.3, 41, 1e3).scene();
+    let engine = engine::find("exact").unwrap();
+    let limits = Limits {
+        max_events: events,
+        ..Limits::NONE
+    };
+    let mut counters = BTreeMap::new();
+    let used = allocation_counter::measure(|| {
+        let run = engine::prepare(engine, &scene, &Setting::default()).unwrap();
+        counters = run.simulate(Record::Final, &limits).counters;
+    });
+    (used.bytes_max as f64, counters)
+}
+
+#[test]
+fn memory_grows_linearly_with_the_balls_and_work_for_an_event_not_at_all() {
+    // sizes whose trees and lists are as full as each other: a power of two apart
+    let (small, large) = (2_000, 8_000);
+    let (bytes, counters) = consumption(small, 4_000);
+    let (more_bytes, more_counters) = consumption(large, 16_000);
+    assert_eq!(counters["events"], 4_000);
+    assert_eq!(more_counters["events"], 16_000);
+    // lists whose length is a square root, such as those of the edge of the box, grow less; nothing grows more
+    let ratio = more_bytes / bytes;
+    assert!(
+        ratio <= 4.1,
+        "{bytes} bytes for {small}, {more_bytes} for {large}"
+    );
+    // below is nothing that could be hidden: states, flights and candidates of every ball are 300 bytes at least
+    assert!(bytes >= 300.0 * small as f64, "{bytes}");
+    // four times the events; 0.055 of the small box is within a contact of a cushion, 8 sqrt(0.3 / pi / N), where work differs
+    for name in ["root_calls", "cell_crossings"] {
+        let ratio = more_counters[name] as f64 / counters[name] as f64;
+        assert!((ratio / 4.0 - 1.0).abs() <= 0.055, "{name}: {ratio}");
     }
 }

@@ -132,7 +132,7 @@ impl<T: Real> View<'_, T> {
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
     ) {
-        let Some(reach) = self.world.reach.get(ball) else {
+        let Some([x0, x1, y0, y1]) = self.world.within_all_reach else {
             return;
         };
         let flight = &self.flights[ball];
@@ -141,10 +141,12 @@ impl<T: Real> View<'_, T> {
         let way = flight.fastest * (later(best.time) - flight.start) + blur.length * T::lift(4.0);
         let way = notes.watch.map_or(way, |watch| way.at_least(watch));
         let [x, y] = flight.position;
-        let free = x - reach[0] > way && reach[1] - x > way;
-        if free && y - reach[2] > way && reach[3] - y > way {
+        if x - x0 > way && x1 - x > way && y - y0 > way && y1 - y > way {
             return;
         }
+        let Some(reach) = self.world.reach.get(ball) else {
+            return;
+        };
         for side in Side::ALL {
             let axis = side.axis();
             let outward = |x: T| if side.sign() < 0 { -x } else { x };
