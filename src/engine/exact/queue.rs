@@ -105,7 +105,7 @@ impl<T: Real> Queue<T> {
         let mut node = self.leaves + ball;
         loop {
             // ties go to the left
-            let beaten = if node % 2 == 0 {
+            let beaten = if node.is_multiple_of(2) {
                 self.beats(rival, winner)
             } else {
                 !self.beats(winner, rival)
