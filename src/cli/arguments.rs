@@ -2,7 +2,8 @@
 
 use super::Failure;
 use super::scene::SceneCommand;
-use crate::engine::{self, ENGINES, Setting};
+use crate::engine::exact::Precision;
+use crate::engine::{self, ENGINES, Limits, Setting};
 use crate::report::FORMATS;
 use crate::study::Column;
 use clap::builder::PossibleValuesParser;
@@ -30,6 +31,13 @@ pub enum Command {
     Compare(CompareArguments),
     /// Compare many scenes and write a report: HTML, Markdown, CSV, JSON.
     Report(ReportArguments),
+    /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
+    Horizon(HorizonArguments),
+    /// Run many samples of one scene, varied by a stated law, and compare how the answers of engines are distributed.
+    ///
+    /// Without --aim, --speed and --gap: aim 0.1, speed 0.01 and gap 1e-2, or 1e-5 where balls touch, as far as the scene has a
+    /// ball that moves or rests; gaps alone where the scene says `simultaneous = "ensemble"`. What is given varies alone.
+    Ensemble(EnsembleArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -69,6 +77,9 @@ pub struct RunArguments {
     /// Simulated time between two recorded samples of a stepping engine, s.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.01)]
     pub every: f64,
+    /// Most events of an event-driven engine; a run that reaches it ends there and says so.
+    #[arg(long, value_name = "N", default_value_t = Limits::NONE.max_events)]
+    pub max_events: u64,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
@@ -91,6 +102,39 @@ pub struct CompareArguments {
     pub format: String,
 }
 
+/// Arguments of `carom ensemble`.
+#[derive(Debug, Args)]
+pub struct EnsembleArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// Number of samples.
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub samples: usize,
+    /// Seed of all draws; the same seed gives the same samples.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Engines with optional settings, as in `carom compare`; exact ones first, and the first that reaches the end is what
+    /// the others are held against. Rapier needs hundreds of times as long as the others.
+    #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
+    pub engines: String,
+    /// Aim of the cue ball: uniform within so many degrees to either side.
+    #[arg(long, value_name = "DEGREES")]
+    pub aim: Option<f64>,
+    /// Speed of the cue ball: uniform within this part of it, up and down.
+    #[arg(long, value_name = "PART")]
+    pub speed: Option<f64>,
+    /// Size of the gaps, in R: touching balls are opened to it, and every resting ball is displaced uniformly within a disc of
+    /// half this radius, or half its smallest gap where that is less.
+    #[arg(long, value_name = "R")]
+    pub gap: Option<f64>,
+    /// Folder for the page with all distributions and pictures.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
 /// Arguments of `carom report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
@@ -103,6 +147,22 @@ pub struct ReportArguments {
     #[arg(long, value_name = "LIST")]
     pub engines: Option<String>,
     /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom horizon`.
+#[derive(Debug, Args)]
+pub struct HorizonArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// The precision in question; the next finer one is the witness.
+    #[arg(long, value_parser = precisions(), default_value = Precision::F64.id())]
+    pub precision: String,
+    /// Folder for the same as a page with its pictures; none is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }
@@ -123,6 +183,11 @@ impl Default for ReportArguments {
 
 fn formats() -> PossibleValuesParser {
     PossibleValuesParser::new(FORMATS.iter().map(|format| format.id))
+}
+
+/// The precisions that have a finer one to be held against.
+fn precisions() -> PossibleValuesParser {
+    PossibleValuesParser::new(Precision::WITNESSED.map(Precision::id))
 }
 
 fn engine_ids() -> PossibleValuesParser {

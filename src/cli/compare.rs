@@ -5,7 +5,7 @@ use super::{Failure, scene, terminal};
 use crate::report;
 use crate::scene::{Scene, catalogue};
 use crate::study::compare::{LengthUnit, default_columns, plan, study, summary};
-use crate::study::{Column, Timing, Watch};
+use crate::study::{Column, Timing, Watch, ensemble};
 use std::process::ExitCode;
 
 /// Compares one scene and prints the summary.
@@ -20,12 +20,14 @@ pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
         cancelled: terminal::cancelled(),
     };
     let outcome = study(&scene, richer.as_ref(), &columns, Timing::Alone, watch);
+    let surroundings = ensemble::surroundings(&outcome, watch);
     drop(progress);
     let unit = match arguments.units.as_str() {
         "scene" => LengthUnit::Scene,
         _ => LengthUnit::Radius,
     };
-    let document = summary(&outcome, unit);
+    let mut document = summary(&outcome, unit);
+    ensemble::surround(&mut document, surroundings);
     terminal::print(&report::render(&document, &arguments.format).unwrap_or_default())
 }
 

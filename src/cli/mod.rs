@@ -5,6 +5,8 @@
 mod arguments;
 mod compare;
 mod engines;
+mod ensemble;
+mod horizon;
 mod output;
 mod report;
 mod run;
@@ -78,6 +80,8 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Report(arguments)) => report::report(&arguments),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Compare(arguments)) => compare::compare(&arguments),
+        Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
+        Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

@@ -30,8 +30,8 @@ pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     };
     let run = engine::prepare(engine, &scene, &setting).map_err(refused)?;
     let limits = Limits {
+        max_events: arguments.max_events,
         cancelled: terminal::cancelled(),
-        ..Limits::NONE
     };
     let trace = run.simulate(Record::Every(cadence), &limits);
     let written = files::write(&trace).map_err(|error| Failure::Message(error.to_string()))?;

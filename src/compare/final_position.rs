@@ -18,13 +18,14 @@ pub const FINAL_POSITION: Metric = Metric {
     }),
 };
 
-/// Largest distance at any time before the collision orders part.
+/// Largest distance at any time before the collision orders part and the horizon: an error that means something.
 pub const UNTIL_PARTING: Metric = Metric {
     id: "until-parting",
     unit: "R",
-    what: "largest distance of a ball at any time before the collision orders part",
+    what: "largest distance of a ball at any time before the collision orders part, and before the horizon",
     reads: Reads::Pair(|c: &Comparison<'_>| {
         let parting = c.parting_time().unwrap_or(f64::INFINITY);
-        Measured::of_run(c.divergence.largest_before(parting) / c.scene.smallest_radius())
+        let until = parting.min(c.horizon);
+        Measured::of_run(c.divergence.largest_before(until) / c.scene.smallest_radius())
     }),
 };

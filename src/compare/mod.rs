@@ -35,6 +35,8 @@ pub struct Comparison<'a> {
     pub order: Order,
     /// Their distance over time.
     pub divergence: Divergence,
+    /// Time beyond which nobody can be right about the scene, s; infinite where the whole run can be believed.
+    pub horizon: f64,
 }
 
 impl<'a> Comparison<'a> {
@@ -48,7 +50,13 @@ impl<'a> Comparison<'a> {
             reference,
             order,
             divergence,
+            horizon: f64::INFINITY,
         }
+    }
+
+    /// The same comparison with the horizon of its reference, s: errors are quoted up to it.
+    pub fn up_to(self, horizon: f64) -> Self {
+        Comparison { horizon, ..self }
     }
 
     /// Latest time at which both traces say where the balls are, s; infinite when both ended at rest.

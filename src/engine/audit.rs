@@ -2,7 +2,7 @@
 //!
 //! A scene that did not arrive as written makes every later number worthless, and nothing later would notice.
 
-use crate::physics::{Cloth, Contact, Cushion};
+use crate::physics::{Cloth, Contact, Cushion, friction};
 use crate::scene::{Ball, Scene};
 
 /// What an engine holds, read back from inside it and not from what it was given.
@@ -189,16 +189,25 @@ fn expected_partners(scene: &Scene) -> Vec<Partner> {
 /// Friction and restitution that the scene's laws mean for a partner.
 fn expected_material(scene: &Scene, partner: Partner) -> (f64, f64) {
     match partner {
-        Partner::Ball => match scene.effects.contact {
-            Some(Contact::Elastic {}) => (0.0, 1.0),
-            None => (0.0, 0.0),
-        },
+        Partner::Ball => {
+            // where it depends on the slip speed, that of balls that stick
+            let law = scene.effects.friction;
+            let friction = law.map_or(0.0, |law| friction::coefficient(law, 0.0));
+            match scene.effects.contact {
+                Some(Contact::Elastic {}) => (friction, 1.0),
+                Some(Contact::Inelastic { e }) => (friction, e),
+                None => (0.0, 0.0),
+            }
+        }
         Partner::Cloth => match scene.effects.cloth {
             Some(Cloth::Translational { mu }) => (mu, 0.0),
+            Some(Cloth::Rotational { mu_slide, .. }) => (mu_slide, 0.0),
             None => (0.0, 0.0),
         },
         Partner::Cushion => match scene.effects.cushion {
             Some(Cushion::Elastic {}) => (0.0, 1.0),
+            Some(Cushion::Restitution { e }) => (0.0, e),
+            Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => (mu, e),
             None => (0.0, 0.0),
         },
     }

@@ -177,6 +177,8 @@ impl Real for DoubleDouble {
     // 2^-104: four times u^2, above the error of a sum and of a root
     const ULP: f64 = f64::EPSILON * f64::EPSILON;
     const BITS: u32 = 106;
+    // of a product; the quotients of a root finder are steps, and small
+    const ROUNDING: f64 = 7.0 / 4.0 * Self::ULP;
 
     #[inline]
     fn lift(x: f64) -> Self {

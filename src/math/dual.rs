@@ -145,6 +145,7 @@ impl<T: Real, const N: usize> One for Dual<T, N> {
 impl<T: Real, const N: usize> Real for Dual<T, N> {
     const ULP: f64 = T::ULP;
     const BITS: u32 = T::BITS;
+    const ROUNDING: f64 = T::ROUNDING;
     const DIFFERENTIATES: bool = true;
 
     fn detached(self) -> Self {
@@ -166,6 +167,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
             return Self::constant(root);
         }
         self.chain(root, T::one() / (root + root))
+    }
+
+    fn exp(self) -> Self {
+        let power = self.value.exp();
+        self.chain(power, power)
     }
 
     fn is_finite(self) -> bool {

@@ -4,11 +4,14 @@
 pub mod angle;
 pub mod double_double;
 pub mod dual;
+pub mod exponential;
+pub mod extrapolation;
 pub mod first_root;
 pub mod grid;
 mod octuple;
 pub mod random;
 pub mod real;
+pub mod statistics;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;

@@ -1,8 +1,9 @@
 //! The scalar that the exact engine and the impact laws are generic over.
 //!
-//! It asks for field arithmetic, order and a square root and nothing else, so that a number with more digits or one that
+//! It asks for field arithmetic, order and a square root and builds the rest on them, so that a number with more digits or one that
 //! carries a derivative can be written in one file. Inputs are the f64 numbers of a scene, lifted exactly.
 
+use super::exponential::exponential;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};
 use std::ops::Neg;
@@ -28,6 +29,9 @@ pub trait Real:
     /// Bits of the significand.
     const BITS: u32;
 
+    /// Largest relative error of one operation; half an ulp where operations round to nearest.
+    const ROUNDING: f64 = Self::ULP / 2.0;
+
     /// Whether the last step of an iteration must be taken from a detached start, so that derivatives come out exact.
     const DIFFERENTIATES: bool = false;
 
@@ -45,9 +49,33 @@ pub trait Real:
     /// Square root; NaN below zero.
     fn sqrt(self) -> Self;
 
+    /// `e` to the power of this number, to a few ulp times `1 + |x|`.
+    fn exp(self) -> Self {
+        exponential(self)
+    }
+
     /// Absolute value.
     fn abs(self) -> Self {
         if self < Self::zero() { -self } else { self }
+    }
+
+    /// The same number in a scalar that is at least as wide, exactly.
+    fn widen<W: Real>(self) -> W {
+        let leading = self.to_f64();
+        let mut sum = W::lift(leading);
+        if !leading.is_finite() {
+            return sum;
+        }
+        let mut rest = self - Self::lift(leading);
+        while !rest.is_zero() {
+            let next = rest.to_f64();
+            if next == 0.0 {
+                break;
+            }
+            sum += W::lift(next);
+            rest -= Self::lift(next);
+        }
+        sum
     }
 
     /// True unless the number is NaN or infinite.
@@ -78,6 +106,9 @@ impl Real for f64 {
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
+    fn exp(self) -> Self {
+        f64::exp(self)
+    }
     fn abs(self) -> Self {
         f64::abs(self)
     }
@@ -94,6 +125,9 @@ impl Real for f32 {
     }
     fn sqrt(self) -> Self {
         f32::sqrt(self)
+    }
+    fn exp(self) -> Self {
+        f32::exp(self)
     }
     fn abs(self) -> Self {
         f32::abs(self)

@@ -9,8 +9,10 @@ pub mod contact;
 pub mod cue;
 pub mod cushion;
 mod effects;
+pub mod friction;
 pub mod invariants;
+pub mod pockets;
 mod state;
 
-pub use effects::{Cloth, Contact, Cushion, EFFECTS, EffectEntry, Effects};
+pub use effects::{Cloth, Contact, Cushion, EFFECTS, EffectEntry, Effects, Friction, Pockets};
 pub use state::{Body, Motion, Side, State};

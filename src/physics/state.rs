@@ -48,6 +48,16 @@ pub struct Motion<T: Real = f64> {
     pub spin: Vector3<T>,
 }
 
+impl<T: Real> Motion<T> {
+    /// The motion of a ball that stays on its cloth, and the kinetic energy, per mass, that the cloth takes: the vertical velocity
+    /// is dropped with `v_z^2 / 2`, length^2/s^2.
+    pub fn on_cloth(mut self) -> (Self, T) {
+        let vertical = self.velocity.z;
+        self.velocity.z = T::zero();
+        (self, vertical * vertical / T::lift(2.0))
+    }
+}
+
 /// What an impact law needs to know of a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T: Real = f64> {

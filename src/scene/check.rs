@@ -1,10 +1,9 @@
-//! Holds a parsed file against the schema: unknown and missing keys, types, ranges, two laws for one choice, reserved keys.
+//! Holds a parsed file against the schema: unknown and missing keys, types, ranges, two laws for one choice.
 //!
 //! One walk finds all of them at once, each with its position. It knows no key by name: keys, types, ranges and advice come
 //! from the schema, which comes from the types of `file`, so a new key or law is checked as soon as it exists.
 
 use super::diagnostics::{Diagnostic, Kind, nearest, printable};
-use super::file::{Reserved, reserved};
 use super::located::{Located, header, join, last};
 use serde_json::Value;
 use std::ops::Range;
@@ -21,7 +20,6 @@ pub(super) const SMALLEST: f64 = 1e-30;
 pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
     let mut walk = Walk {
         schema,
-        reserved: reserved(),
         problems: Vec::new(),
     };
     walk.table("", schema, &located.root, 0..0);
@@ -30,7 +28,6 @@ pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
 
 struct Walk<'s> {
     schema: &'s Value,
-    reserved: Vec<Reserved>,
     problems: Vec<Diagnostic>,
 }
 
@@ -124,7 +121,10 @@ impl<'s> Walk<'s> {
             || schema["exclusiveMinimum"]
                 .as_f64()
                 .is_some_and(|bound| x <= bound);
-        let high = schema["maximum"].as_f64().is_some_and(|most| x > most);
+        let high = schema["maximum"].as_f64().is_some_and(|most| x > most)
+            || schema["exclusiveMaximum"]
+                .as_f64()
+                .is_some_and(|bound| x >= bound);
         // shortest decimals never round to an infinity, so one that was written in digits is too large
         let written_in_digits = match value.get_ref() {
             DeValue::Float(float) => float.as_str().contains(|c: char| c.is_ascii_digit()),
@@ -169,13 +169,6 @@ impl<'s> Walk<'s> {
             let inner = join(path, key.get_ref());
             if let Some(property) = known.get(key.get_ref().as_ref()) {
                 self.value(&inner, property, "", value);
-            } else if let Some(what) = self.reserved_at(&inner) {
-                self.not_built(&inner, what, key.span(), &[]);
-            } else if self.is_reserved_group(&inner) {
-                match value.get_ref() {
-                    DeValue::Table(group) => self.choice(&inner, Vec::new(), group, value.span()),
-                    _ => self.unknown_key(path, (key, value), keys(known)),
-                }
             } else {
                 self.unknown_key(path, (key, value), keys(known));
             }
@@ -206,9 +199,6 @@ impl<'s> Walk<'s> {
             let law = variants.iter().find(|(name, _)| name == key.get_ref());
             if let Some((_, schema)) = law {
                 self.value(&inner, schema, "", value);
-            } else if let Some(what) = self.reserved_at(&inner) {
-                let built: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
-                self.not_built(&inner, what, key.span(), &built);
             } else {
                 let known = variants.iter().map(|(name, _)| *name).collect();
                 self.unknown_key(path, (key, value), known);
@@ -239,15 +229,6 @@ impl<'s> Walk<'s> {
         }
     }
 
-    fn not_built(&mut self, path: &str, what: &str, span: Range<usize>, built: &[&str]) {
-        let message = format!("`[{path}]` is reserved for something not built yet");
-        let mut help = format!("it will be: {what}");
-        if !built.is_empty() {
-            help += &format!("; built so far: {}", quoted(built));
-        }
-        self.report(Kind::NotBuilt, span, message, help);
-    }
-
     fn unknown_key(&mut self, path: &str, (key, value): Entry<'_, '_>, known: Vec<&str>) {
         let word = key.get_ref();
         let top = keys(&self.schema["properties"]);
@@ -266,16 +247,6 @@ impl<'s> Walk<'s> {
             )
         };
         self.report(Kind::UnknownKey, key.span(), message, help);
-    }
-
-    fn reserved_at(&self, path: &str) -> Option<&'static str> {
-        let entry = self.reserved.iter().find(|entry| entry.path == path);
-        entry.map(|entry| entry.what)
-    }
-
-    fn is_reserved_group(&self, path: &str) -> bool {
-        let start = format!("{path}.");
-        self.reserved.iter().any(|r| r.path.starts_with(&start))
     }
 
     fn report(
@@ -379,13 +350,17 @@ fn range(schema: &Value) -> String {
         bound("minimum"),
         bound("exclusiveMinimum"),
         bound("maximum"),
+        bound("exclusiveMaximum"),
     ) {
-        (Some(least), _, Some(most)) => format!(" from {least} to {most}"),
-        (Some(least), _, None) => format!(", {least} or greater"),
-        (None, Some(bound), None) => format!(" greater than {bound}"),
-        (None, Some(bound), Some(most)) => format!(" greater than {bound}, at most {most}"),
-        (None, None, Some(most)) => format!(", at most {most}"),
-        (None, None, None) => String::new(),
+        (Some(least), _, Some(most), _) => format!(" from {least} to {most}"),
+        (Some(least), _, None, Some(bound)) => format!(" from {least}, less than {bound}"),
+        (Some(least), _, None, None) => format!(", {least} or greater"),
+        (None, Some(bound), Some(most), _) => format!(" greater than {bound}, at most {most}"),
+        (None, Some(low), None, Some(high)) => format!(" greater than {low} and less than {high}"),
+        (None, Some(bound), None, None) => format!(" greater than {bound}"),
+        (None, None, Some(most), _) => format!(", at most {most}"),
+        (None, None, None, Some(bound)) => format!(" less than {bound}"),
+        (None, None, None, None) => String::new(),
     }
 }
 

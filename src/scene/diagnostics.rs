@@ -32,10 +32,10 @@ pub enum Kind {
     Outside,
     /// Two laws, or two statements, for one choice.
     TwoLaws,
+    /// Two laws that cannot hold in one scene.
+    Incompatible,
     /// An id, or a word of a set, used twice.
     Duplicate,
-    /// A key that is reserved for something not built yet.
-    NotBuilt,
     /// A name that breaks the rules for names.
     BadName,
     /// A ball that the scene does not have.

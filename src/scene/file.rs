@@ -5,7 +5,7 @@
 //! this field gives. Ranges are given as JSON Schema keywords.
 
 use super::Simultaneous;
-use crate::physics::{EFFECTS, Effects};
+use crate::physics::Effects;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -46,7 +46,7 @@ pub struct SceneFile {
     pub balls: Vec<BallFile>,
     /// A triangle of balls "1" to "15", after `[[balls]]` in scene order; a `[rack]` has `apex`, `rows` and `gap`.
     pub rack: Option<RackFile>,
-    /// How one ball is set in motion; one of `[shot.force]` and `[shot.velocity]`.
+    /// How one ball is set in motion; one of `[shot.force]`, `[shot.velocity]` and `[shot.strike]`.
     pub shot: Option<ShotFile>,
     /// The effects that act; what is not named is not simulated.
     #[serde(default)]
@@ -202,31 +202,35 @@ pub enum ShotFile {
         #[schemars(range(min = -360, max = 360))]
         angle_deg: f64,
     },
-}
-
-/// A key of the format that is reserved and not built yet.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reserved {
-    /// Path of the key.
-    pub path: String,
-    /// What it will do.
-    pub what: &'static str,
-}
-
-/// Everything that is reserved and not built yet: effects from the list of effects, and what has no list of its own.
-pub fn reserved() -> Vec<Reserved> {
-    let effects = EFFECTS.iter().filter(|effect| !effect.built);
-    let mut all: Vec<Reserved> = effects
-        .map(|effect| Reserved {
-            path: format!("effects.{}", effect.id),
-            what: effect.what,
-        })
-        .collect();
-    all.push(Reserved {
-        path: "shot.strike".to_owned(),
-        what: "a cue with side, top and elevation that strikes the ball",
-    });
-    all
+    /// A cue that strikes the ball at rest, off its centre or not; in scenes that turn balls.
+    Strike {
+        /// Id of the ball; `ball = "cue"`.
+        ball: String,
+        /// Speed of the cue, length/s, 0 or greater; a brisk shot has 2 m/s.
+        #[schemars(range(min = 0))]
+        speed: f64,
+        /// Direction of the cue, degrees counter-clockwise from +x, -360 to 360; 90 is straight along the table.
+        #[schemars(range(min = -360, max = 360))]
+        angle_deg: f64,
+        /// How far the butt of the cue is raised, degrees, from 0 to 90, 0 if absent; a level shot has 5.
+        #[serde(default)]
+        #[schemars(range(min = 0, max = 90))]
+        elevation_deg: f64,
+        /// Mass of the cue, greater than 0; a pool cue has 0.567 kg.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        cue_mass: f64,
+        /// Mass at the tip that gives way sideways and deflects the ball (squirt), greater than 0, no deflection if absent; a thirtieth of the ball is typical.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        end_mass: Option<f64>,
+        /// Offset of the tip to the left of the centre, in radii, from -1 to 1, 0 if absent; a tip slips beyond about 0.5.
+        #[serde(default)]
+        #[schemars(range(min = -1, max = 1))]
+        side: f64,
+        /// Offset of the tip above the centre, in radii, from -1 to 1, 0 if absent; 0.4 makes the ball roll at once.
+        #[serde(default)]
+        #[schemars(range(min = -1, max = 1))]
+        top: f64,
+    },
 }
 
 /// The JSON Schema of a scene file.

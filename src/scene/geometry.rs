@@ -1,10 +1,11 @@
-//! Where balls may be: on the table, apart from each other, and at coordinates that f64 resolves.
+//! Where balls may be: on the table, apart from each other, outside pockets, and at coordinates that f64 resolves.
 
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
 use super::{Ball, Scene};
 use crate::math::grid::Grid;
-use crate::physics::Side;
+use crate::physics::contact::plan_distance;
+use crate::physics::{Side, pockets};
 
 /// Largest share of a radius that "touching" may be: beyond it coordinates are too large to hold the ball.
 const COARSEST: f64 = 1e-6;
@@ -28,6 +29,7 @@ pub(super) fn check(
     }
     outside(scene, paths, at, problems);
     overlaps(scene, paths, at, problems);
+    in_pockets(scene, paths, at, problems);
 }
 
 fn too_far_out(scene: &Scene, paths: &[String], at: &Located<'_>) -> Diagnostic {
@@ -88,29 +90,36 @@ fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec
 
 fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
     let slack = scene.touching();
-    let largest = scene.balls.iter().map(|b| b.radius).fold(0.0, f64::max);
+    let overlapping = pairs_within(&scene.balls, 0.0).filter(|(_, gap)| -gap > slack);
+    let found = overlapping.take(MOST);
+    problems.extend(found.map(|(pair, gap)| overlap_of(scene, paths, at, pair, -gap)));
+}
+
+/// Pairs of balls whose surfaces are at most `reach` apart in plan, length, with their gap; negative where they overlap.
+pub(super) fn pairs_within(
+    balls: &[Ball],
+    reach: f64,
+) -> impl Iterator<Item = ((usize, usize), f64)> {
+    let largest = balls.iter().map(|b| b.radius).fold(0.0, f64::max);
     let centre = |ball: &Ball| [ball.state.position.x, ball.state.position.y];
-    let centres: Vec<[f64; 2]> = scene.balls.iter().map(centre).collect();
+    let centres: Vec<[f64; 2]> = balls.iter().map(centre).collect();
     // wider than a contact, so that no overlap is hidden by rounding
-    let grid = Grid::over(&centres, 2.5 * largest, centres.len());
+    let grid = Grid::over(&centres, 2.5 * largest + reach, centres.len());
     let square = |i: usize| grid.square(grid.place(centres[i]));
     let mut order: Vec<(usize, usize)> = (0..centres.len()).map(|i| (square(i), i)).collect();
     order.sort_unstable();
-    let (grid, order, centres) = (&grid, &order, &centres);
     let near = (0..centres.len()).flat_map(move |i| {
         let rows = grid.around(grid.place(centres[i])).into_iter();
         let first = |square: usize| order.partition_point(|entry| entry.0 < square);
-        let balls = rows.flat_map(move |row| &order[first(row.start)..first(row.end)]);
-        let before = balls.filter(move |(_, j)| *j < i);
-        before.map(move |(_, j)| (*j, i))
+        let balls = rows.flat_map(|row| &order[first(row.start)..first(row.end)]);
+        let before = balls.filter(|(_, j)| *j < i);
+        before.map(|(_, j)| (*j, i)).collect::<Vec<_>>()
     });
-    let overlapping = near.filter_map(|(i, j)| {
-        let apart = scene.balls[i].state.position - scene.balls[j].state.position;
-        let overlap = scene.contact_distance(i, j) - apart.xy().norm();
-        (overlap > slack).then_some((i, j, overlap))
-    });
-    let found = overlapping.take(MOST);
-    problems.extend(found.map(|(i, j, overlap)| overlap_of(scene, paths, at, (i, j), overlap)));
+    near.filter_map(move |(i, j)| {
+        let apart = balls[i].state.position - balls[j].state.position;
+        let gap = apart.xy().norm() - plan_distance(balls[i].radius, balls[j].radius);
+        (gap <= reach).then_some(((i, j), gap))
+    })
 }
 
 fn overlap_of(
@@ -154,4 +163,25 @@ fn overlap_of(
         at.value(&paths[other]),
         format!("ball \"{}\"", scene.balls[other].id),
     )
+}
+
+fn in_pockets(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+    let Some(pockets) = &scene.effects.pockets else {
+        return;
+    };
+    let held = |ball: &super::Ball| pockets::holding(pockets, &ball.state.position);
+    let balls = scene.balls.iter().zip(paths);
+    let found = balls.filter_map(|(ball, path)| Some((ball, path, held(ball)?)));
+    problems.extend(found.take(MOST).map(|(ball, path, pocket)| {
+        let [x, y, r] = pockets.circles[pocket];
+        let message = format!("ball \"{}\" starts in pocket p{pocket}", ball.id);
+        let help = format!(
+            "its centre must be more than {} from [{}, {}], or the pocket elsewhere",
+            short(r),
+            short(x),
+            short(y)
+        );
+        let circle = at.value(&format!("effects.pockets.circles[{pocket}]"));
+        Diagnostic::new(Kind::Overlap, at.value(path), message, help).and(circle, "this pocket")
+    }));
 }

@@ -10,11 +10,14 @@ mod diagnostics;
 mod file;
 pub mod generate;
 mod geometry;
+mod laws;
 mod located;
 mod names;
+pub mod perturb;
 mod rack;
 mod resolve;
 mod resolved;
+mod shot;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest, printable};
 pub use file::{SceneFile, schema};

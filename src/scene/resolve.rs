@@ -2,20 +2,14 @@
 //!
 //! Works on typed values that are each in range already; what it finds are errors between values, and it finds all of them.
 
-use super::check::{LARGEST, missing};
-use super::diagnostics::{Diagnostic, Kind, nearest, short};
-use super::file::{SceneFile, ShotFile};
+use super::check::missing;
+use super::diagnostics::{Diagnostic, Kind};
+use super::file::SceneFile;
 use super::located::Located;
-use super::rack;
-use super::{Ball, Scene, Shot, Table, Units, geometry, names};
+use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot};
 use crate::math::Vec3;
-use crate::math::angle::unit_vector;
-use crate::physics::cue::speed_from_force;
-use crate::physics::{Cloth, Effects, State};
+use crate::physics::State;
 use std::collections::HashMap;
-
-/// Longest list of balls that an error prints.
-const LISTED: usize = 16;
 
 /// A ball and the place in the file that it comes from.
 pub(super) struct Placed {
@@ -28,7 +22,7 @@ pub(super) struct Placed {
 pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     names::check(&file, at, &mut problems);
-    check_gravity(&file, at, &mut problems);
+    laws::check(&file, at, &mut problems);
     let table = table_of(&file, at, &mut problems);
     let mut placed = listed_balls(&file, at, &mut problems);
     placed.extend(rack::balls(&file, at, &mut problems));
@@ -37,9 +31,10 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
         let help = "add `[[balls]]` with `id` and `position`, or a `[rack]`";
         problems.push(missing(0..0, "a scene must have a ball", help));
     }
-    let shot = play(&file, at, &mut placed, &mut problems);
+    let shot = shot::play(&file, at, &mut placed, &mut problems);
     let (balls, paths): (Vec<Ball>, Vec<String>) =
         placed.into_iter().map(|p| (p.ball, p.path)).unzip();
+    let effects = laws::in_units(file.effects, file.units.length_in_metres);
     let scene = Scene {
         name: file.name,
         description: file.description,
@@ -57,7 +52,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
         table,
         balls,
         shot,
-        effects: file.effects,
+        effects,
         simultaneous: file.simultaneous,
         richer: file.richer,
         try_settings: file.r#try,
@@ -70,30 +65,20 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
     }
 }
 
-/// Whether a law of the scene cannot do without gravity.
-fn needs_gravity(effects: &Effects) -> Option<&'static str> {
-    match effects.cloth {
-        Some(Cloth::Translational { .. }) => Some("effects.cloth.translational"),
-        None => None,
-    }
-}
-
-fn check_gravity(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
-    if let (Some(law), None) = (needs_gravity(&file.effects), file.gravity) {
-        let message = format!("`[{law}]` needs `gravity`, which the scene does not give");
-        let help = "add `gravity` at the top of the file, in length/s^2; 9.81 in metres";
-        let span = at.value(law);
-        problems.push(missing(span, message, help).labelled("this law uses it"));
-    }
-}
-
 fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) -> Option<Table> {
     let Some(table) = &file.table else {
-        if file.effects.cushion.is_some() {
-            let help = "add `[table]` with `width` and `length`, or remove the cushions";
-            let message = "cushions need a `[table]`, which the scene does not give";
-            let span = at.key("effects.cushion");
-            problems.push(missing(span, message, help).labelled("cushions are named here"));
+        let edges = [
+            ("cushion", "cushions", file.effects.cushion.is_some()),
+            ("pockets", "pockets", file.effects.pockets.is_some()),
+        ];
+        for (key, what, named) in edges {
+            if named {
+                let help = format!("add `[table]` with `width` and `length`, or remove the {what}");
+                let message = format!("{what} need a `[table]`, which the scene does not give");
+                let span = at.key(&format!("effects.{key}"));
+                let label = format!("{what} are named here");
+                problems.push(missing(span, message, help).labelled(label));
+            }
         }
         return None;
     };
@@ -123,7 +108,8 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnosti
         let spin = ball.spin.unwrap_or_default();
         if spin != [0.0; 3] && !file.effects.rotates() {
             let message = "spin has no meaning in a scene in which no effect turns balls";
-            let help = "remove it, or name a cloth with rotation once one is built";
+            let help =
+                "remove it, or name a law that turns balls, such as `[effects.cloth.rotational]`";
             let span = at.value(&format!("{path}.spin"));
             problems.push(Diagnostic::new(Kind::NoEffect, span, message, help));
         }
@@ -145,93 +131,6 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnosti
         }
     }
     placed
-}
-
-/// Sets the ball of the shot in motion.
-fn play(
-    file: &SceneFile,
-    at: &Located<'_>,
-    placed: &mut [Placed],
-    problems: &mut Vec<Diagnostic>,
-) -> Option<Shot> {
-    let (path, id, angle_deg) = match file.shot.as_ref()? {
-        ShotFile::Force {
-            ball, angle_deg, ..
-        } => ("shot.force", ball, *angle_deg),
-        ShotFile::Velocity {
-            ball, angle_deg, ..
-        } => ("shot.velocity", ball, *angle_deg),
-    };
-    let listed = file.balls.iter().position(|ball| &ball.id == id);
-    if let Some(i) = listed.filter(|&i| file.balls[i].velocity.is_some()) {
-        let message = format!("two velocities for ball \"{id}\": its own and the shot's");
-        let help = "remove `velocity` from the ball, or remove the shot";
-        let span = at.key(path);
-        let own = at.value(&format!("balls[{i}].velocity"));
-        let problem = Diagnostic::new(Kind::TwoLaws, span, message, help)
-            .labelled("the shot")
-            .and(own, "its own velocity");
-        problems.push(problem);
-    }
-    let Some(ball) = placed.iter().position(|placed| &placed.ball.id == id) else {
-        // a ball that lacks its radius or mass is in the file, and reported already
-        if listed.is_none() {
-            problems.push(unknown_ball(id, path, placed, at));
-        }
-        return None;
-    };
-    let (speed, shot) = match *file.shot.as_ref()? {
-        ShotFile::Force {
-            force,
-            contact_time,
-            ..
-        } => (
-            speed_from_force(force, contact_time, placed[ball].ball.mass),
-            Shot::Force {
-                ball,
-                angle_deg,
-                force,
-                contact_time,
-            },
-        ),
-        ShotFile::Velocity { speed, .. } => (
-            speed,
-            Shot::Velocity {
-                ball,
-                angle_deg,
-                speed,
-            },
-        ),
-    };
-    if speed > LARGEST {
-        let message = format!(
-            "this shot gives a speed of {}, more than {LARGEST:e}",
-            short(speed)
-        );
-        let help = "the speed is force * contact_time / mass";
-        problems.push(Diagnostic::new(
-            Kind::OutOfRange,
-            at.key(path),
-            message,
-            help,
-        ));
-    }
-    let (cos, sin) = unit_vector(angle_deg);
-    placed[ball].ball.state.velocity = Vec3::new(speed * cos, speed * sin, 0.0);
-    Some(shot)
-}
-
-fn unknown_ball(id: &str, path: &str, placed: &[Placed], at: &Located<'_>) -> Diagnostic {
-    let known: Vec<&str> = placed.iter().map(|p| p.ball.id.as_str()).collect();
-    let message = format!("the scene has no ball \"{id}\"");
-    let guess = nearest(id, known.iter().copied());
-    let help = match guess {
-        Some(name) => format!("did you mean \"{name}\"?"),
-        None if known.len() > LISTED => format!("the scene has {} other balls", known.len()),
-        None => format!("the scene has {}", known.join(", ")),
-    };
-    let span = at.value(&format!("{path}.ball"));
-    Diagnostic::new(Kind::UnknownBall, span, message, help)
 }
 
 /// For each word that occurs more than once: the index of its first occurrence and that of each repetition.

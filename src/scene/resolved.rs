@@ -3,7 +3,7 @@
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
 use crate::physics::contact::plan_distance;
-use crate::physics::cue::speed_from_force;
+use crate::physics::cue::{Strike, speed_from_force};
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
 use crate::physics::{Effects, Side, State};
 use schemars::JsonSchema;
@@ -106,6 +106,14 @@ pub enum Shot {
         /// Speed, length/s.
         speed: f64,
     },
+    /// A cue that strikes the ball; the ball's spin contains it too.
+    Strike {
+        /// Index of the ball in [`Scene::balls`].
+        ball: usize,
+        /// What strikes it, and where.
+        #[serde(flatten)]
+        strike: Strike,
+    },
 }
 
 impl Units {
@@ -124,7 +132,9 @@ impl Shot {
     /// Index of the ball that is shot.
     pub fn ball(&self) -> usize {
         match *self {
-            Shot::Force { ball, .. } | Shot::Velocity { ball, .. } => ball,
+            Shot::Force { ball, .. } | Shot::Velocity { ball, .. } | Shot::Strike { ball, .. } => {
+                ball
+            }
         }
     }
 }

@@ -1,8 +1,8 @@
-//! The run matrix: scenes are rows, engines with a setting are columns. The only place for threads and the stopwatch.
+//! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
 use crate::engine::{self, Engine, Limits, Parameter, Refusal, Setting};
 use crate::scene::Scene;
-use crate::trace::{Record, Trace};
+use crate::trace::{Ending, Record, Trace};
 use rayon::prelude::*;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -106,6 +106,43 @@ pub fn run_row(
         Timing::None => columns.par_iter().map(run).collect(),
         Timing::Alone => columns.iter().map(run).collect(),
     }
+}
+
+/// How often the progress of many short cells is told.
+const TOLD: usize = 200;
+
+/// Runs samples of one scene in every column, untimed, and keeps of each cell only what `reduce` makes of it.
+///
+/// `sample`: the scene of a sample; it must depend on the index alone. Answers for each sample one value a column, in order,
+/// the same for any number of threads. `None`: a cell that was not run to its end because the user asked to stop.
+pub fn run_samples<T: Send>(
+    samples: usize,
+    sample: impl Fn(usize) -> Scene + Sync,
+    columns: &[Column],
+    record: Record,
+    watch: Watch<'_>,
+    reduce: impl Fn(Result<Trace, Refusal>) -> T + Sync,
+) -> Vec<Option<T>> {
+    let cells = samples * columns.len();
+    let (done, often) = (AtomicUsize::new(0), cells.div_ceil(TOLD).max(1));
+    let run = |cell: usize| {
+        if watch.is_cancelled() {
+            return None;
+        }
+        let (index, column) = (cell / columns.len(), &columns[cell % columns.len()]);
+        let scene = sample(index);
+        let ran = run_cell(&scene, column, record, Timing::None, watch.cancelled);
+        let trace = ran.map(|ran| ran.trace);
+        if matches!(&trace, Ok(trace) if trace.ending == Ending::Cancelled) {
+            return None;
+        }
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        if count.is_multiple_of(often) || count == cells {
+            (watch.progress)(count, cells, &format!("samples of {}", scene.name));
+        }
+        Some(reduce(trace))
+    };
+    (0..cells).into_par_iter().map(run).collect()
 }
 
 /// Runs one scene in one column.

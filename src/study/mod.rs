@@ -2,6 +2,8 @@
 
 pub mod claims;
 pub mod compare;
+pub mod ensemble;
+pub mod horizon;
 pub mod matrix;
 pub mod validation;
 

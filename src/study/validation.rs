@@ -2,6 +2,7 @@
 
 use super::claims::{self, Claim};
 use super::compare::{self, Cause, Outcome, PairOutcome};
+use super::ensemble;
 use super::matrix::{Column, Timing, Watch};
 use crate::engine::ENGINES;
 use crate::finding::{
@@ -31,20 +32,16 @@ pub fn study(
         progress: &|_, _, _| {},
         cancelled: watch.cancelled,
     };
-    let mut outcomes = Vec::new();
+    let (mut outcomes, mut surroundings) = (Vec::new(), Vec::new());
     for (done, scene) in scenes.iter().enumerate() {
         if watch.is_cancelled() {
             break;
         }
         (watch.progress)(done, total, &scene.name);
         let richer = scene.richer.as_deref().map(catalogue::scene).transpose()?;
-        outcomes.push(compare::study(
-            scene,
-            richer.as_ref(),
-            columns,
-            Timing::Alone,
-            silent,
-        ));
+        let outcome = compare::study(scene, richer.as_ref(), columns, Timing::Alone, silent);
+        surroundings.push(ensemble::surroundings(&outcome, silent));
+        outcomes.push(outcome);
     }
     (watch.progress)(scenes.len(), total, "the report's claims");
     let claims = if watch.is_cancelled() {
@@ -53,7 +50,11 @@ pub fn study(
         claims::audit(silent)?
     };
     (watch.progress)(total, total, "done");
-    Ok(conclude(scenes.len(), &outcomes, &claims, columns))
+    let mut document = conclude(scenes.len(), &outcomes, &claims, columns);
+    for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
+        ensemble::surround(page, blocks);
+    }
+    Ok(document)
 }
 
 fn conclude(
@@ -222,7 +223,8 @@ fn scene_table(outcomes: &[Outcome]) -> Table {
         rows.push(row);
     }
     let note = "n/m, x R: the first n of the m exact collisions come in the exact order, and no final position is farther than \
-                x R from the exact one. Without an exact answer a cell says how the run ended.";
+                x R from the exact one (where the exact one has a horizon: no position before it and before the orders part). \
+                Without an exact answer a cell says how the run ended.";
     Table {
         id: "scenes".to_owned(),
         title: "Scenes".to_owned(),
@@ -239,15 +241,28 @@ fn verdict(outcome: &Outcome, entry: &compare::Entry) -> Cell {
     };
     let reference = outcome.reference.map(|i| &outcome.entries[i]);
     if reference.is_some_and(|reference| std::ptr::eq(reference, entry)) {
-        return Cell::text(format!("{} collisions", trace.collisions().count()));
+        let collisions = format!("{} collisions", trace.collisions().count());
+        return Cell::text(match &outcome.horizon {
+            Some(horizon) if !horizon.is_whole() => {
+                format!("{collisions}, horizon at {:.4} s", horizon.until)
+            }
+            _ => collisions,
+        });
     }
     let Some(standing) = &entry.standing else {
         return Cell::Verdict(Tone::Quiet, trace.ending.id().to_owned());
     };
-    let ends = standing
-        .final_position
-        .map_or(String::new(), |r| format!("{} R", short(r)));
-    let tone = match (&standing.order.parting, standing.final_position) {
+    // beyond the horizon nobody is right
+    let whole = outcome.certain_until().is_infinite();
+    let (error, place) = match whole {
+        true => (standing.final_position, ""),
+        false => {
+            let before = outcome.worst(&entry.label(), "until-parting");
+            (before.map(|(value, _)| value), " before the horizon")
+        }
+    };
+    let ends = error.map_or(String::new(), |r| format!("{} R{place}", short(r)));
+    let tone = match (&standing.order.parting, error) {
         (Some(_), _) => Tone::Bad,
         (None, Some(r)) if r <= GOOD_WITHIN => Tone::Good,
         (None, _) => Tone::Notice,

@@ -1,10 +1,12 @@
 //! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
 
+mod certainty;
 mod event;
 pub mod files;
 mod path;
 mod recorder;
 
+pub use certainty::Certainty;
 pub use event::{Event, EventKind};
 pub use path::{Knot, Path};
 pub use recorder::{Record, Recorder};
@@ -25,6 +27,8 @@ pub struct Trace {
     pub paths: Vec<Path>,
     /// All events in the order in which they happened.
     pub events: Vec<Event>,
+    /// How certain each event is, in the order of `events`; empty where the engine does not say.
+    pub certainty: Vec<Certainty>,
     /// When the centre velocity of each ball last became zero, s; `None` while it moves at the end or when pocketed.
     pub stop_times: Vec<Option<f64>>,
     /// The worst values of quantities that should stay small.
@@ -105,8 +109,8 @@ pub enum Ending {
     Duration,
     /// The user asked to stop.
     Cancelled,
-    /// The limit on events was reached.
-    Budget,
+    /// The limit on events was reached; the balls are those of the event that would have come next.
+    Budget(Spot),
     /// An impact left a ball approaching several balls at once: the order would decide the result.
     Indeterminate(Spot),
     /// A graze or stop at rounding level: the scalar cannot tell whether it happens.
@@ -124,7 +128,7 @@ impl Ending {
             Ending::Rest => "rest",
             Ending::Duration => "duration",
             Ending::Cancelled => "cancelled",
-            Ending::Budget => "budget",
+            Ending::Budget(_) => "budget",
             Ending::Indeterminate(_) => "indeterminate",
             Ending::Undecidable(_) => "undecidable",
             Ending::Collapsed(_) => "collapsed",
@@ -135,11 +139,12 @@ impl Ending {
     /// Where it ended, for the endings that have a place.
     pub fn spot(&self) -> Option<&Spot> {
         match self {
-            Ending::Indeterminate(spot)
+            Ending::Budget(spot)
+            | Ending::Indeterminate(spot)
             | Ending::Undecidable(spot)
             | Ending::Collapsed(spot)
             | Ending::NotFinite(spot) => Some(spot),
-            Ending::Rest | Ending::Duration | Ending::Cancelled | Ending::Budget => None,
+            Ending::Rest | Ending::Duration | Ending::Cancelled => None,
         }
     }
 
@@ -161,6 +166,23 @@ impl Trace {
             }
         }
         last
+    }
+
+    /// Keeps what [`Record::Final`] keeps of a fuller record: first and last states, stop times, extrema and counters.
+    pub fn pare(&mut self) {
+        for path in &mut self.paths {
+            let (first, last) = (path.knots.first().copied(), path.knots.last().copied());
+            path.knots = first.into_iter().collect();
+            path.knots.extend(
+                last.map(|knot| Knot {
+                    after: None,
+                    ..knot
+                })
+                .filter(|last| first.is_none_or(|first| *last != first)),
+            );
+        }
+        self.events.clear();
+        self.certainty.clear();
     }
 
     /// True when ball `i` left play.

@@ -12,7 +12,8 @@ pub enum Record {
     Final,
     /// Also every event with both its sides.
     Events,
-    /// Also the states of moving balls every so many seconds. An engine whose knots are exact needs none and adds none.
+    /// Also the states of moving balls every so many seconds, and the certainty of the events where the engine knows it. An engine
+    /// whose knots are exact needs no such states and adds none.
     Every(f64),
 }
 
@@ -214,6 +215,7 @@ impl Recorder {
             balls: self.balls,
             paths: self.paths,
             events: self.events,
+            certainty: Vec::new(),
             stop_times: self.stop_times,
             extrema: self.extrema,
             counters,

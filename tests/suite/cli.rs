@@ -67,7 +67,18 @@ fn run_writes_four_files_that_read_back_as_the_same_trace() {
             "{engine}: not the same files again"
         );
         let header = |name: &str| file(name).lines().next().unwrap().to_owned();
-        assert_eq!(header("events.csv"), "index,time,kind,a,b,exchanges");
+        assert_eq!(
+            header("events.csv"),
+            "index,time,kind,a,b,exchanges,margin,condition,time_error"
+        );
+        // the exact engine knows how certain its events are
+        let certain = trace.certainty.iter().filter(|c| c.time_error.is_some());
+        let expected = if engine == "exact" {
+            trace.events.len()
+        } else {
+            0
+        };
+        assert_eq!(certain.count(), expected, "{engine}");
         assert_eq!(
             header("samples.csv"),
             "time,ball,x,y,z,vx,vy,vz,wx,wy,wz,event"
@@ -102,6 +113,40 @@ fn two_runs_write_the_same_bytes() {
             .collect::<Vec<_>>()
     };
     assert_eq!(write("a"), write("b"));
+}
+
+#[test]
+fn a_budget_of_events_ends_a_run_and_says_where() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("few");
+    let output = carom(&[
+        "run",
+        "report-break",
+        "--engine",
+        "exact",
+        "--max-events",
+        "5",
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    assert!(
+        printed.contains("budget") && printed.contains("limit of 5 events"),
+        "{printed}"
+    );
+    let events = fs::read_to_string(out.join("events.csv")).unwrap();
+    assert_eq!(events.lines().count(), 1 + 5, "{events}");
+    let run: Value =
+        serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
+    assert_eq!(run["ending"]["kind"], "budget");
+    assert_eq!(run["ending"]["spot"]["time"], run["end_time"]);
+    assert!(
+        !run["ending"]["spot"]["balls"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
 }
 
 #[test]
@@ -153,6 +198,8 @@ fn what_cannot_run_ends_with_2_and_says_why_on_stderr() {
             "above 0 s",
         ),
         (vec!["run", "slide", "--out", out], "--engine"),
+        (vec!["horizon", "slide", "--precision", "f256"], "f64"),
+        (vec!["horizon", "no/such/file.toml"], "no such file"),
         (vec!["juggle"], "juggle"),
     ] {
         let output = carom(&arguments);
@@ -196,6 +243,29 @@ fn compare_names_the_first_difference_and_its_cause_in_every_format() {
             .lines()
             .all(|line| line.chars().count() <= 100)
     );
+}
+
+#[test]
+fn horizon_prints_in_every_format_and_writes_a_page_where_it_is_told_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("horizon");
+    let shown = |format: &str| {
+        let arguments = ["horizon", "discs-in-a-box", "--format", format, "--out"];
+        let output = carom(&[&arguments[..], &[out.to_str().unwrap()]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    for format in ["text", "markdown", "csv", "json"] {
+        let shown = shown(format);
+        for wanted in ["margin", "condition", "growth", "beyond"] {
+            assert!(shown.contains(wanted), "{format} lacks {wanted}: {shown}");
+        }
+    }
+    let json: Value = serde_json::from_str(&shown("json")).unwrap();
+    assert!(json.is_object());
+    let wide = |line: &str| line.chars().count() > 100;
+    assert!(!shown("text").lines().any(wide), "{}", shown("text"));
+    assert!(files_in(&out).contains(&"index.html".to_owned()));
 }
 
 #[test]

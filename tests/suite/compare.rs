@@ -3,9 +3,11 @@
 use crate::support::{G, MU, R, report_break, run, scenario};
 use approx::assert_relative_eq;
 use carom::compare::{Comparison, attribute, deepest_overlap, of_pair, of_trace, timing};
-use carom::engine::{Setting, find};
+use carom::engine::exact::Precision;
+use carom::engine::exact::horizon::{BAND, horizon};
+use carom::engine::{Limits, Setting, find};
 use carom::math::Vec3;
-use carom::scene::Scene;
+use carom::scene::{Scene, catalogue};
 use carom::study::compare::{Cause, Outcome, default_columns, plan, study};
 use carom::study::{Column, Timing, Watch};
 use carom::trace::{EventKind, Record, Trace};
@@ -277,4 +279,29 @@ fn parry_in_both_precisions_agrees_on_an_overlap() {
         .find(|f| f.metric == "overlap-by-parry")
         .unwrap();
     assert_relative_eq!(by_engine.value.unwrap(), 0.125, max_relative = 1e-12);
+}
+
+#[test]
+fn errors_are_quoted_up_to_the_horizon() {
+    // chaotic, and both engines keep the order far beyond the time at which nobody can be right
+    let scene = catalogue::scene("discs-in-a-box").unwrap();
+    let reference = run("exact", &["precision=dd"], &scene, Record::Events);
+    let trace = run("exact", &[], &scene, Record::Events);
+    let horizon = horizon(&scene, Precision::F64, false, &Limits::NONE).unwrap();
+    assert!(!horizon.is_whole(), "{:?}", horizon.limit);
+    let until = |comparison: &Comparison<'_>| {
+        let findings = of_pair(comparison, "exact");
+        let found = findings.iter().find(|f| f.metric == "until-parting");
+        found.and_then(|finding| finding.value).unwrap()
+    };
+    let whole = Comparison::new(&scene, &trace, &reference);
+    let parting = whole.parting_time().unwrap_or(f64::INFINITY);
+    assert!(parting > horizon.until, "the orders part at {parting}");
+    let before = until(&whole);
+    let within = until(&whole.up_to(horizon.until));
+    // the horizon is where the two precisions leave a band of 1e-9
+    assert!(
+        within < BAND && before > 1e3 * BAND,
+        "{within:e} and {before:e}"
+    );
 }

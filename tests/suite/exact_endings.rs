@@ -81,7 +81,13 @@ fn the_event_limit_and_the_user_end_a_run_and_keep_its_trace() {
         ..Limits::NONE
     };
     let trace = with_limits(&scene, &limits);
-    assert_eq!(trace.ending, Ending::Budget);
+    let Ending::Budget(spot) = &trace.ending else {
+        panic!("{:?}", trace.ending);
+    };
+    let (next, other) = whole.events[7].kind.balls();
+    let balls: Vec<usize> = spot.balls.iter().map(|ball| *ball as usize).collect();
+    assert!(balls.contains(&next) && other.is_none_or(|ball| balls.contains(&ball)));
+    assert!(spot.why.contains("7 events") && spot.time == trace.end_time);
     assert_eq!(trace.events, whole.events[..7]);
     assert_eq!(trace.end_time, whole.events[6].time);
     let cancelled = AtomicBool::new(true);
@@ -315,6 +321,156 @@ fn a_stop_at_rounding_distance_from_another_ball_is_undecidable() {
                 "{:?}",
                 trace.ending
             );
+        }
+    }
+}
+
+/// How a run with residual speeds must end.
+enum Due {
+    /// One contact of these two parties, at this time, s, good to this part of it.
+    Contact(EventKind, f64, f64),
+    /// At rest without one.
+    Rest,
+    /// The scalar cannot hold the squares of its speeds.
+    NotFinite,
+    /// Their squares are 0: the engine could only hold a ball at rest, and the audit refuses to run that.
+    Refused,
+    /// The scalar cannot tell.
+    Undecidable,
+}
+
+fn holds(name: &str, scene: &Scene, due: &Due) {
+    if let Due::Refused = due {
+        let refused = engine::prepare(engine::find(EXACT).unwrap(), scene, &Setting::default());
+        let Some(engine::Refusal::Audit { differs }) = refused.err() else {
+            panic!("{name}: not refused");
+        };
+        assert!(differs[0].contains("velocity"), "{name}: {differs:?}");
+        return;
+    }
+    let trace = exact(scene);
+    let met: Vec<_> = trace.collisions().collect();
+    let found = format!(
+        "{name}: {:?}, {met:?}, until {}",
+        trace.ending, trace.end_time
+    );
+    match *due {
+        Due::Contact(kind, time, part) => {
+            assert!(trace.ending.is_complete(), "{found}");
+            assert_eq!(met.len(), 1, "{found}");
+            assert_eq!(met[0].kind, kind, "{found}");
+            assert!(
+                (met[0].time - time).abs() <= part * time,
+                "{found}, expected {time}"
+            );
+        }
+        Due::Rest => assert!(trace.ending == Ending::Rest && met.is_empty(), "{found}"),
+        Due::Refused => panic!("{found}"),
+        Due::NotFinite => assert!(matches!(trace.ending, Ending::NotFinite(_)), "{found}"),
+        Due::Undecidable => assert!(matches!(trace.ending, Ending::Undecidable(_)), "{found}"),
+    }
+}
+
+#[test]
+fn residual_speeds_down_to_1e_300_end_in_the_right_contact_or_with_a_reason() {
+    let gap = 0.5;
+    for power in [
+        8, 16, 32, 64, 100, 120, 140, 145, 150, 155, 160, 162, 200, 250, 300,
+    ] {
+        let speed = 10.0_f64.powi(-power);
+        let until = 3.0 * gap / speed;
+        // an ulp of the square of a speed is a number down to 1e-146 = sqrt(2e-308 / 2e-16)
+        let due = |kind| match power {
+            ..=145 => Due::Contact(kind, gap / speed, 16.0 * f64::EPSILON),
+            146..162 => Due::NotFinite,
+            _ => Due::Refused,
+        };
+        let toward_a_ball = scenario("ball")
+            .moving("slow", [0.0, 0.0], [speed, 0.0])
+            .resting("still", [2.0 * R + gap, 0.0])
+            .duration(until)
+            .build();
+        let name = format!("speed 1e-{power}, free");
+        holds(&name, &toward_a_ball, &due(EventKind::BallBall(0, 1)));
+        let toward_a_cushion = scenario("cushion")
+            .cushions(4.0, 4.0)
+            .moving("slow", [4.0 - R - gap, 2.0], [speed, 0.0])
+            .duration(until)
+            .build();
+        let kind = EventKind::BallCushion(0, Side::X1);
+        holds(&name, &toward_a_cushion, &due(kind));
+        // with cloth it stops before it has gone anywhere; in 20 s it is also far from anything without
+        let mut on_cloth = toward_a_ball.clone();
+        (on_cloth.effects.cloth, on_cloth.duration) =
+            (Some(carom::physics::Cloth::Translational { mu: MU }), 20.0);
+        let due = if power < 162 { Due::Rest } else { Due::Refused };
+        holds(&format!("{name}, on cloth"), &on_cloth, &due);
+    }
+}
+
+#[test]
+fn what_is_left_of_the_speed_at_a_contact_is_decided_down_to_the_blur() {
+    // it arrives with this speed: it would have gone speed^2 / (2 mu g) further
+    let way = 1.0;
+    for power in 1..=12 {
+        let left = 10.0_f64.powi(-power);
+        let scene = scenario("late")
+            .cloth(MU)
+            .moving(
+                "cue",
+                [0.0, 0.0],
+                [(left * left + 2.0 * MU * G * way).sqrt(), 0.0],
+            )
+            .resting("object", [2.0 * R + way, 0.0])
+            .build();
+        let further = left * left / (2.0 * MU * G);
+        // four ulp of the largest coordinate and of the longest way, and as much for the numbers of the scene
+        let blur = 4.0 * f64::EPSILON * (2.0 * R + 2.0 * way);
+        let time = (scene.balls[0].state.velocity.x - left) / (MU * G);
+        let due = if further > 3.0 * blur {
+            // the time moves by the blur over the speed that is left
+            Due::Contact(EventKind::BallBall(0, 1), time, 2.0 * blur / (left * time))
+        } else {
+            Due::Undecidable
+        };
+        holds(&format!("{left:e} left"), &scene, &due);
+    }
+}
+
+#[test]
+fn a_ball_that_is_hardly_faster_than_the_one_ahead_catches_up_or_it_cannot_be_told() {
+    let gap = 1e-3;
+    for power in 3..=16 {
+        let faster = 1.0 + 10.0_f64.powi(-power);
+        let (closing, distance) = (faster - 1.0, 2.0 * R + gap);
+        let scene = scenario("catch-up")
+            .moving("behind", [0.0, 0.0], [faster, 0.0])
+            .moving("ahead", [distance, 0.0], [1.0, 0.0])
+            .duration(if closing > 0.0 {
+                3.0 * gap / closing
+            } else {
+                10.0
+            })
+            .build();
+        let trace = exact(&scene);
+        let hits = trace.collisions().count();
+        // both end where positions are good to this, and to this much of the gap
+        let blur = 4.0 * f64::EPSILON * (distance + faster * scene.duration);
+        let found = format!(
+            "1e-{power}: {:?}, {hits} hits, {:?}",
+            trace.ending, trace.events
+        );
+        if closing == 0.0 {
+            assert!(trace.ending == Ending::Duration && hits == 0, "{found}");
+        } else if gap > 4.0 * blur {
+            let time = gap / closing;
+            assert!(trace.ending == Ending::Duration && hits == 1, "{found}");
+            assert!(
+                (trace.events[0].time - time).abs() <= blur / closing,
+                "{found}, expected {time}"
+            );
+        } else {
+            assert!(trace.ending.spot().is_some() || hits <= 1, "{found}");
         }
     }
 }

@@ -3,7 +3,7 @@
 //! One scene that is right, and one change a case that makes it wrong. Positions are asserted here; texts are held byte for
 //! byte in `snapshots/suite__scene_errors__texts.snap`.
 
-use carom::physics::EFFECTS;
+use carom::physics::{EFFECTS, EffectEntry, Friction};
 use carom::scene::{Diagnostics, Kind, SceneError, parse, parse_bytes};
 use std::collections::BTreeSet;
 
@@ -110,16 +110,12 @@ const CASES: &[Case] = &[
     case(Kind::Overlap, "unequal balls, which touch at 2 sqrt(R1 R2)", "[shot.velocity]", "[[balls]]\nid = \"1\"\nposition = [5.0, 6.0]\nradius = 1.0001\n[shot.velocity]", (15, 12)),
     case(Kind::Outside, "a ball", "position = [5.0, 5.0]", "position = [9.8, 5.0]", (12, 12)),
     case(Kind::Outside, "a rack", "[shot.velocity]", "[rack]\napex = [5.0, 19.5]\nrows = 2\ngap = 0.0\n[shot.velocity]", (13, 1)),
-    case(Kind::TwoLaws, "two cushions, one of them not built", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.cushion.han-2005]", (20, 18)),
+    case(Kind::TwoLaws, "two cushions", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.cushion.han-2005]", (20, 18)),
     case(Kind::TwoLaws, "two shots", "[effects.cloth.translational]", "[shot.force]\nball = \"cue\"\nforce = 1.0\ncontact_time = 0.1\nangle_deg = 90.0\n[effects.cloth.translational]", (17, 7)),
     case(Kind::TwoLaws, "a velocity and a shot", "position = [5.0, 5.0]", "position = [5.0, 5.0]\nvelocity = [0.0, 1.0]", (14, 7)),
     case(Kind::Duplicate, "an id", "[shot.velocity]", "[[balls]]\nid = \"cue\"\nposition = [7.0, 7.0]\n[shot.velocity]", (14, 6)),
     case(Kind::Duplicate, "an id of the rack", "[shot.velocity]", "[[balls]]\nid = \"2\"\nposition = [7.0, 7.0]\n[rack]\napex = [5.0, 15.0]\nrows = 2\ngap = 0.0\n[shot.velocity]", (14, 6)),
     case(Kind::Duplicate, "a set", "duration = 5.0", "sets = [\"gate\", \"report\", \"gate\"]\nduration = 5.0", (2, 27)),
-    case(Kind::NotBuilt, "a cloth", "[effects.cloth.translational]\nmu = 0.2", "[effects.cloth.rotational]\nmu_slide = 0.2", (17, 16)),
-    case(Kind::NotBuilt, "a group of laws", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.friction.alciatore]", (20, 19)),
-    case(Kind::NotBuilt, "pockets", "[effects.cushion.elastic]", "[effects.cushion.elastic]\n[effects.pockets]", (20, 10)),
-    case(Kind::NotBuilt, "a strike", "[shot.velocity]", "[shot.strike]", (13, 7)),
     case(Kind::WrongType, "a convention for touching balls that nobody knows", "duration = 5.0", "simultaneous = \"generalised-reflections\"\nduration = 5.0", (2, 16)),
     case(Kind::BadName, "a scene", "name = \"shot\"", "name = \"My first shot!\"", (1, 8)),
     case(Kind::BadName, "a richer scene", "duration = 5.0", "richer = \"rolling_ball\"\nduration = 5.0", (2, 10)),
@@ -132,6 +128,27 @@ const CASES: &[Case] = &[
     case(Kind::UnknownBall, "a typing error in the shot", "ball = \"cue\"", "ball = \"ceu\"", (14, 8)),
     case(Kind::UnknownBall, "a ball that is not there", "ball = \"cue\"", "ball = \"eight\"", (14, 8)),
     case(Kind::NoEffect, "spin where nothing turns", "position = [5.0, 5.0]", "position = [5.0, 5.0]\nspin = [0.0, 0.0, 10.0]", (13, 8)),
+    case(Kind::Missing, "a contact for the friction", "[effects.cloth.translational]\nmu = 0.2\n[effects.cushion.elastic]", "[effects.friction.constant]\nmu = 0.06", (17, 1)),
+    case(Kind::Missing, "metres for constants in metres", "[effects.cloth.translational]\nmu = 0.2\n[effects.cushion.elastic]", "[effects.contact.elastic]\n[effects.friction.alciatore]\na = 0.01\nb = 0.1\nc = 1.1", (18, 1)),
+    case(Kind::Missing, "a pocket", "[effects.cushion.elastic]", "[effects.pockets]\ncircles = []", (20, 11)),
+    case(Kind::Missing, "the mass of a cue", "[shot.velocity]", "[shot.strike]", (13, 1)),
+    case(Kind::Incompatible, "friction between balls on a cloth without rotation", "[effects.cushion.elastic]", "[effects.contact.elastic]\n[effects.friction.constant]\nmu = 0.06", (20, 1)),
+    case(Kind::Incompatible, "a nose above a cloth without rotation", "[effects.cushion.elastic]", "[effects.cushion.han-2005]\ne = 0.85\nmu = 0.2\nheight = 1.28", (19, 1)),
+    case(Kind::Incompatible, "Mathavan's cushion on a cloth without rotation", "[effects.cushion.elastic]", "[effects.cushion.mathavan-2010]\ne = 0.98\nmu = 0.14\nmu_cloth = 0.212\nheight = 1.28", (19, 1)),
+    case(Kind::OutOfRange, "a restitution above 1", "[effects.cushion.elastic]", "[effects.cushion.restitution]\ne = 1.1", (20, 5)),
+    case(Kind::OutOfRange, "a restitution of balls below 0", "[effects.cushion.elastic]", "[effects.contact.inelastic]\ne = -0.1", (20, 5)),
+    case(Kind::OutOfRange, "a nose as high as the ball", "[effects.cushion.elastic]", "[effects.cushion.han-2005]\ne = 0.85\nmu = 0.2\nheight = 2.0", (22, 10)),
+    case(Kind::OutOfRange, "a nose on the cloth", "[effects.cushion.elastic]", "[effects.cushion.mathavan-2010]\ne = 0.98\nmu = 0.14\nmu_cloth = 0.212\nheight = 0.0", (23, 10)),
+    case(Kind::OutOfRange, "more friction than the cushion's law is made for", "[effects.cushion.elastic]", "[effects.cushion.mathavan-2010]\ne = 0.98\nmu = 1.5\nmu_cloth = 0.212\nheight = 1.28", (21, 6)),
+    case(Kind::OutOfRange, "rolling resistance below 0", "[effects.cloth.translational]\nmu = 0.2", "[effects.cloth.rotational]\nmu_slide = 0.2\nmu_roll = -0.01\nmu_spin = 0.01", (19, 11)),
+    case(Kind::OutOfRange, "a pocket without a radius", "[effects.cushion.elastic]", "[effects.pockets]\ncircles = [[0.0, 0.0, 0.6], [10.0, 0.0, 0.0]]", (20, 41)),
+    case(Kind::OutOfRange, "a tip that does not meet the ball", "[shot.velocity]", "[shot.strike]\ncue_mass = 0.5\nside = -0.7\ntop = 0.8", (16, 7)),
+    case(Kind::OutOfRange, "a cue from below", "[shot.velocity]", "[shot.strike]\ncue_mass = 0.5\nelevation_deg = -5.0", (15, 17)),
+    case(Kind::OutOfRange, "a strike without a cue", "[shot.velocity]", "[shot.strike]\ncue_mass = 0.0", (14, 12)),
+    case(Kind::WrongType, "a pocket without a radius", "[effects.cushion.elastic]", "[effects.pockets]\ncircles = [[0.0, 0.0]]", (20, 12)),
+    case(Kind::Overlap, "a ball and a pocket", "[effects.cushion.elastic]", "[effects.pockets]\ncircles = [[0.0, 0.0, 0.6], [5.0, 5.3, 0.4]]", (12, 12)),
+    case(Kind::TwoLaws, "a spin and a strike", "position = [5.0, 5.0]\n[shot.velocity]", "position = [5.0, 5.0]\nspin = [0.0, 0.0, 3.0]\n[shot.strike]\ncue_mass = 0.5", (14, 7)),
+    case(Kind::NoEffect, "a strike where nothing turns", "[shot.velocity]", "[shot.strike]\ncue_mass = 0.5", (13, 7)),
 ];
 
 /// The errors of `text`; a scene without any fails the test.
@@ -200,7 +217,7 @@ fn every_kind_of_error_has_a_case() {
         Kind::Outside,
         Kind::TwoLaws,
         Kind::Duplicate,
-        Kind::NotBuilt,
+        Kind::Incompatible,
         Kind::BadName,
         Kind::UnknownBall,
         Kind::NoEffect,
@@ -313,41 +330,101 @@ fn a_file_cannot_command_the_terminal() {
     assert!(!shown.contains(['\u{1b}', '\u{7}']), "{shown:?}");
 }
 
+/// The tables of one effect, and of what it needs.
+fn tables_of(effect: &EffectEntry) -> String {
+    let numbers = effect.numbers.iter().map(|number| match *number {
+        "circles" => "circles = [[0.0, 0.0, 0.5]]\n".to_owned(),
+        number => format!("{number} = 0.5\n"),
+    });
+    let own = format!("[effects.{}]\n{}", effect.id, numbers.collect::<String>());
+    if effect.id.starts_with("friction.") {
+        format!("{own}[effects.contact.elastic]\n[units]\nlength_in_metres = 0.5\n")
+    } else {
+        own
+    }
+}
+
 #[test]
-fn every_effect_that_is_only_reserved_is_answered_with_not_built() {
-    let mut count = 0;
-    for effect in EFFECTS.iter().filter(|effect| !effect.built) {
-        let numbers = effect
+fn every_effect_is_accepted_and_has_its_numbers() {
+    for effect in EFFECTS {
+        let scene = parse("scenes/mine.toml", &RIGHT.replace(LAWS, &tables_of(effect)));
+        let scene = scene.unwrap_or_else(|error| panic!("{}: {error}", effect.id));
+        assert!(scene.effects.named().contains(&effect.id), "{}", effect.id);
+        let mut keys = BTreeSet::new();
+        scene.effects.map(|key, _| keys.insert(key));
+        let expected: BTreeSet<String> = effect
             .numbers
             .iter()
-            .map(|number| format!("{number} = 1.0\n"));
-        let law = format!("[effects.{}]\n{}", effect.id, numbers.collect::<String>());
-        let found = errors(effect.id, &RIGHT.replace(LAWS, &law));
-        assert_eq!(kinds(&found), [Kind::NotBuilt], "{}: {found}", effect.id);
-        assert!(
-            found.to_string().contains(effect.what),
-            "{}: {found}",
-            effect.id
-        );
-        count += 1;
+            .map(|number| format!("{}.{number}", effect.id))
+            .collect();
+        assert_eq!(keys, expected.iter().map(String::as_str).collect());
+        if let Some(Friction::Alciatore {
+            length_in_metres, ..
+        }) = scene.effects.friction
+        {
+            assert_eq!(length_in_metres, 0.5);
+        }
     }
+}
+
+#[test]
+fn every_number_of_every_effect_is_required() {
+    let mut count = 0;
+    for effect in EFFECTS {
+        for number in effect.numbers {
+            let tables = tables_of(effect);
+            let line = tables
+                .lines()
+                .find(|line| line.starts_with(&format!("{number} =")))
+                .unwrap();
+            let without = tables.replacen(&format!("{line}\n"), "", 1);
+            let found = errors(effect.id, &RIGHT.replace(LAWS, &without));
+            assert_eq!(kinds(&found), [Kind::Missing], "{}: {found}", effect.id);
+            assert!(found.to_string().contains(number), "{found}");
+            count += 1;
+        }
+    }
+    let all: usize = EFFECTS.iter().map(|effect| effect.numbers.len()).sum();
+    assert_eq!(count, all);
+    assert!(count > 15, "{count}");
+}
+
+#[test]
+fn pockets_need_a_table() {
+    let without = RIGHT.replace("[table]\nwidth = 10.0\nlength = 20.0\n", "");
+    let laws = "[effects.pockets]\ncircles = [[0.0, 0.0, 0.5]]\n";
+    let found = errors("pockets", &without.replace(LAWS, laws));
+    assert_eq!(kinds(&found), [Kind::Missing]);
+    assert_eq!(found.position(found.problems[0].span.start), (14, 10));
     assert!(
-        count > 0,
-        "nothing is reserved any more: this test has done its work"
+        found.problems[0]
+            .message
+            .contains("pockets need a `[table]`")
     );
 }
 
 #[test]
-fn every_effect_that_is_built_is_accepted() {
-    for effect in EFFECTS.iter().filter(|effect| effect.built) {
-        let numbers = effect
-            .numbers
-            .iter()
-            .map(|number| format!("{number} = 0.5\n"));
-        let law = format!("[effects.{}]\n{}", effect.id, numbers.collect::<String>());
-        let scene = parse("scenes/mine.toml", &RIGHT.replace(LAWS, &law));
-        let scene = scene.unwrap_or_else(|error| panic!("{}: {error}", effect.id));
-        assert_eq!(scene.effects.named(), [effect.id]);
+fn laws_that_turn_balls_go_with_every_cloth_that_lets_them() {
+    let turning = [
+        "[effects.contact.elastic]\n[effects.friction.constant]\nmu = 0.06\n",
+        "[effects.cushion.han-2005]\ne = 0.85\nmu = 0.2\nheight = 1.28\n",
+        "[effects.cushion.mathavan-2010]\ne = 0.98\nmu = 0.14\nmu_cloth = 0.212\nheight = 1.28\n",
+    ];
+    let cloths = [
+        "",
+        "[effects.cloth.rotational]\nmu_slide = 0.2\nmu_roll = 0.01\nmu_spin = 0.01\n",
+    ];
+    for law in turning {
+        for cloth in cloths {
+            let text = RIGHT
+                .replace(LAWS, &format!("{cloth}{law}"))
+                .replace("[5.0, 5.0]", "[5.0, 5.0]\nspin = [0.0, 3.0, 1.0]");
+            let scene = parse("scenes/mine.toml", &text);
+            let scene = scene.unwrap_or_else(|error| panic!("{law}: {error}"));
+            assert!(scene.effects.rotates());
+            assert_eq!(scene.balls[0].state.spin.y, 3.0);
+            assert!(scene.inertia(0).is_some(), "{law}");
+        }
     }
 }
 

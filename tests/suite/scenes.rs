@@ -281,6 +281,7 @@ fn scenes_with_known_answers_have_the_initial_data_of_their_reference_to_the_bit
         }
         let mu = match scene.effects.cloth {
             Some(Cloth::Translational { mu }) => mu,
+            Some(Cloth::Rotational { .. }) => panic!("{name} turns balls"),
             None => 0.0,
         };
         assert_eq!(mu, number(&meta["mu"]), "{name}");

@@ -34,9 +34,8 @@ pub fn scenario(name: &str) -> Scenario {
         balls: Vec::new(),
         shot: None,
         effects: Effects {
-            cloth: None,
             contact: Some(Contact::Elastic {}),
-            cushion: None,
+            ..Effects::default()
         },
         simultaneous: Simultaneous::Refuse,
         richer: None,

@@ -4,7 +4,7 @@ use carom::math::Vec3;
 use carom::physics::{Side, State};
 use carom::trace::files::{self, Files};
 use carom::trace::{
-    Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Spot, Trace,
+    Certainty, Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Spot, Trace,
 };
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -82,7 +82,7 @@ fn ending(balls: u32) -> impl Strategy<Value = Ending> {
         0 => Ending::Rest,
         1 => Ending::Duration,
         2 => Ending::Cancelled,
-        3 => Ending::Budget,
+        3 => Ending::Budget(spot),
         4 => Ending::Indeterminate(spot),
         5 => Ending::Undecidable(spot),
         6 => Ending::Collapsed(spot),
@@ -132,6 +132,24 @@ fn parameters() -> impl Strategy<Value = BTreeMap<String, serde_json::Value>> {
     prop::collection::btree_map(".*", value, 0..4)
 }
 
+/// The certainty of every event, or of none.
+fn certainty(events: usize) -> impl Strategy<Value = Vec<Certainty>> {
+    let known = [(); 3].map(|()| prop::option::of(number()));
+    let one = known.prop_map(|[margin, condition, time_error]| Certainty {
+        margin,
+        condition,
+        time_error,
+    });
+    let all = prop::collection::vec(one, events).prop_map(|mut all| {
+        // nothing known of any event is written as nothing at all
+        if all.iter().all(|known| *known == Certainty::default()) {
+            all.clear();
+        }
+        all
+    });
+    prop_oneof![Just(Vec::new()), all]
+}
+
 fn trace() -> impl Strategy<Value = Trace> {
     let ids = prop::collection::hash_set(".{0,6}", 1..5);
     let with_events = ids.prop_flat_map(|ids| {
@@ -174,15 +192,26 @@ fn trace() -> impl Strategy<Value = Trace> {
             counters,
             ending(n),
             number(),
+            certainty(events.len()),
         );
         rest.prop_map(
-            move |(paths, provenance, extrema, stop_times, counters, ending, end_time)| {
+            move |(
+                paths,
+                provenance,
+                extrema,
+                stop_times,
+                counters,
+                ending,
+                end_time,
+                certainty,
+            )| {
                 let [energy_gained, momentum, overlap, outside, displaced] = extrema;
                 Trace {
                     provenance,
                     balls: balls.clone(),
                     paths,
                     events: events.clone(),
+                    certainty,
                     stop_times,
                     extrema: Extrema {
                         energy_gained,
@@ -269,6 +298,14 @@ fn example() -> Trace {
                 exchanges: None,
             },
         ],
+        certainty: vec![
+            Certainty {
+                margin: Some(f64::INFINITY),
+                condition: Some(1.25),
+                time_error: Some(3e-17),
+            },
+            Certainty::default(),
+        ],
         stop_times: vec![Some(0.5), None],
         extrema: Extrema {
             overlap: Extremum {
@@ -293,9 +330,9 @@ fn example() -> Trace {
 fn files_have_the_columns_and_keys_that_other_programs_rely_on() {
     let files = files::write(&example()).unwrap();
     insta::assert_snapshot!(files.events, @r#"
-    index,time,kind,a,b,exchanges
-    0,0.5,ball-ball,cue,"a, ""b""",1
-    1,0.5,stop,cue,,
+    index,time,kind,a,b,exchanges,margin,condition,time_error
+    0,0.5,ball-ball,cue,"a, ""b""",1,inf,1.25,3e-17
+    1,0.5,stop,cue,,,,,
     "#);
     insta::assert_snapshot!(files.samples, @r#"
     time,ball,x,y,z,vx,vy,vz,wx,wy,wz,event
@@ -373,9 +410,21 @@ fn a_pocketed_ball_has_empty_numbers_and_keeps_its_path() {
     trace.events[1].kind = EventKind::Pocket(0, 3);
     trace.stop_times[0] = None;
     let files = files::write(&trace).unwrap();
-    assert_eq!(files.events.lines().nth(2), Some("1,0.5,pocket,cue,p3,"));
+    assert_eq!(files.events.lines().nth(2), Some("1,0.5,pocket,cue,p3,,,,"));
     assert_eq!(files.final_states.lines().nth(1), Some("cue,,,,,,,,,,"));
     assert_eq!(bits(&files::read(&files).unwrap()), bits(&trace));
+}
+
+#[test]
+fn certainty_is_unknown_where_its_columns_are_missing() {
+    let trace = example();
+    let mut files = files::write(&trace).unwrap();
+    let without = |line: &str| line.rsplitn(4, ',').last().unwrap().to_owned() + "\n";
+    files.events = files.events.lines().map(without).collect();
+    assert!(files.events.starts_with("index,time,kind,a,b,exchanges\n"));
+    let read = files::read(&files).unwrap();
+    assert_eq!(read.certainty, []);
+    assert_eq!(read.events, trace.events);
 }
 
 #[test]
@@ -410,7 +459,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.events = f.events.replace("1,0.5,stop,cue,,", "1,0.5,stop"),
-            "events.csv:3: expected 6 fields, as many as the first line has, and found 3",
+            "events.csv:3: expected 9 fields, as many as the first line has, and found 6",
         ),
         (
             |f| f.events = f.events.replace("\n1,", "\n2,"),
@@ -449,8 +498,12 @@ fn every_fault_is_named_by_file_line_and_column() {
             "events.csv:2: column `b`: `cue` with `cue`: expected two balls in the order of final.csv",
         ),
         (
-            |f| f.events = f.events.replace(",1\n", ",-1\n"),
+            |f| f.events = f.events.replace(",1,inf", ",-1,inf"),
             "events.csv:2: column `exchanges`: `-1`: expected a whole number, 0 or more",
+        ),
+        (
+            |f| f.events = f.events.replace("1.25", "often"),
+            "events.csv:2: column `condition`: `often`: expected a number",
         ),
         (
             |f| f.samples = f.samples.replace("2,cue", "0.2,cue"),
@@ -521,7 +574,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.run = f.run.replace("\"duration\"", "\"collapsed\""),
-            "run.json: `ending`: kind `collapsed`: expected rest, duration, cancelled or budget without a spot, or indeterminate, undecidable, collapsed or not-finite with one",
+            "run.json: `ending`: kind `collapsed`: expected rest, duration or cancelled without a spot, or budget, indeterminate, undecidable, collapsed or not-finite with one",
         ),
         (
             |f| f.run = f.run.replace("\"cue\"", "\"8\""),

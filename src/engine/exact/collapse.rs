@@ -93,6 +93,77 @@ mod tests {
         }
     }
 
+    /// Three equal balls on a line, the outer ones closing in on the middle one at speed 1 with restitution `e`: the times of
+    /// their impacts and the first ball of each. Gaps and closing speeds are what is computed, so that nothing cancels
+    /// while they shrink.
+    fn three_on_a_line(e: f64, most: usize) -> Vec<(f64, usize)> {
+        let (mut now, mut gaps, mut closing) = (1.0, [0.1, 0.2], [1.0, 1.0]);
+        let mut impacts = Vec::new();
+        while impacts.len() < most {
+            let wait = |pair: usize| {
+                let (gap, speed) = (gaps[pair], closing[pair]);
+                if speed > 0.0 {
+                    gap / speed
+                } else {
+                    f64::INFINITY
+                }
+            };
+            let pair = usize::from(wait(1) < wait(0));
+            let after: f64 = wait(pair);
+            if after.is_infinite() {
+                break;
+            }
+            now += after;
+            for i in 0..2 {
+                gaps[i] = if i == pair {
+                    0.0
+                } else {
+                    gaps[i] - closing[i] * after
+                };
+            }
+            // the middle ball takes half of (1 + e) times the closing speed into the other pair
+            closing[1 - pair] += 0.5 * (1.0 + e) * closing[pair];
+            closing[pair] *= -e;
+            impacts.push((now, pair));
+        }
+        impacts
+    }
+
+    #[test]
+    fn three_balls_on_a_line_collapse_below_the_restitution_of_mcnamara_and_young() {
+        // McNamara and Young 1992, Phys. Fluids A 4, 496: infinitely many impacts in finite time below 7 - 4 sqrt 3
+        let critical = 7.0 - 4.0 * 3.0_f64.sqrt();
+        let most = 4 * MOST_IMPACTS_AT_ONCE as usize;
+        for (part, collapses) in [
+            (0.3, true),
+            (0.9, true),
+            (0.99, true),
+            (1.05, false),
+            (4.0, false),
+        ] {
+            let impacts = three_on_a_line(part * critical, most);
+            let mut streaks = Streaks::<f64>::new(3);
+            let counted = impacts
+                .iter()
+                .position(|(now, first)| streaks.count(&[*first, first + 1], *now).is_some());
+            assert_eq!(
+                counted.is_some(),
+                collapses,
+                "e {part} of critical: {} impacts",
+                impacts.len()
+            );
+            if collapses {
+                // the middle ball takes part in all of them
+                assert!(
+                    counted >= Some(MOST_IMPACTS_AT_ONCE as usize),
+                    "{counted:?}"
+                );
+            } else {
+                assert!(impacts.len() < 100, "{} impacts", impacts.len());
+            }
+        }
+    }
+
     #[test]
     fn impacts_that_leave_time_between_them_never_count() {
         let mut streaks = Streaks::<f64>::new(1);

@@ -141,7 +141,7 @@ impl<T: Real> Loop<'_, T> {
         }
         let hint = match self.solver.scene.simultaneous {
             Simultaneous::Ensemble => {
-                "; the scene asks for an ensemble of small gaps, and this is a single run"
+                "; the scene asks for an ensemble of small gaps, which `carom ensemble` runs"
             }
             Simultaneous::Refuse | Simultaneous::GeneralizedReflections => "",
         };

@@ -54,7 +54,10 @@ impl<T: Real> Ground<T> {
             Some(Cloth::Translational { mu }) if mu * gravity > T::zero() => {
                 Ground::Coulomb(mu * gravity)
             }
-            Some(Cloth::Translational { .. }) | None => Ground::Frictionless,
+            // slides, rolls and spins are not built; `missing` names that cloth
+            Some(Cloth::Translational { .. } | Cloth::Rotational { .. }) | None => {
+                Ground::Frictionless
+            }
         }
     }
 }

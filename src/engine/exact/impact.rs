@@ -175,22 +175,22 @@ impl<T: Real> Loop<'_, T> {
 /// Applies the law of an impact of two balls.
 #[inline(never)]
 fn collide<T: Real>(
-    law: Contact,
+    law: Contact<T>,
     a: &Body<T>,
     b: &Body<T>,
     n: &Vector3<T>,
     one: &mut Party<T>,
     other: &mut Party<T>,
 ) {
-    let (motion, reaction) = contact::impact(law, a, b, n);
+    let (motion, reaction) = contact::impact(law, None, a, b, n);
     one.after = settled(one.before, &motion);
     other.after = settled(other.before, &reaction);
 }
 
 /// Applies the law of a cushion.
 #[inline(never)]
-fn bounce<T: Real>(law: Cushion, a: &Body<T>, side: Side, one: &mut Party<T>) {
-    one.after = settled(one.before, &cushion::impact(law, a, side));
+fn bounce<T: Real>(law: Cushion<T>, a: &Body<T>, side: Side, one: &mut Party<T>) {
+    one.after = settled(one.before, &cushion::impact(law, a, side).motion);
 }
 
 /// The velocity after an impact; zero where nothing but the rounding of a cancellation is left.

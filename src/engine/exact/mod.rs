@@ -7,6 +7,8 @@
 //! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
 //! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
 //!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
+//! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
+//!   `sensitivity` (growth, and what moves the balls) and, with a second precision, `horizon`; `auto` goes to more digits by it.
 //! - `collapse`: when impacts without time passing are too many to be finite.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
@@ -16,21 +18,27 @@
 //! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod auto;
 mod cells;
+mod certainty;
 mod collapse;
 mod doubt;
 pub mod flight;
+pub mod horizon;
 mod impact;
 mod predict;
 mod queue;
 mod record;
 mod reflections;
+pub mod sensitivity;
 mod shock;
 mod simultaneous;
 mod solution;
 mod solve;
+mod tangent;
 mod world;
 
+pub use certainty::certify;
 pub use solution::{Solution, final_positions, solve};
 pub use solve::Partners;
 
@@ -41,7 +49,7 @@ use super::{
 };
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::physics::invariants::{Invariant, kinetic_energy};
-use crate::physics::{Cloth, Contact, Cushion};
+use crate::physics::{Cloth, Contact, Cushion, Friction, Pockets};
 use crate::scene::{Ball, Scene, Simultaneous};
 use crate::trace::{Provenance, Record, Trace};
 use flight::Ground;
@@ -58,7 +66,7 @@ pub struct Exact;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
-    /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits. States are rounded to f64 in the trace only.
+    /// Arithmetic: f64; f32; dd, double-double with 106 bits; f256, with 237 bits; auto, f64 and more where an event is too close to call. States are rounded to f64 in the trace only.
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
@@ -77,25 +85,45 @@ pub enum Precision {
     Dd,
     /// 237 bits.
     F256,
+    /// f64, and double-double or 237 bits where an event is closer to another than the estimated error of its time.
+    Auto,
 }
 
 impl Precision {
-    /// Every precision, from coarse to fine.
-    const ALL: [Precision; 4] = [
+    /// Every fixed precision, from coarse to fine.
+    pub const FIXED: [Precision; 4] = [
         Precision::F32,
         Precision::F64,
         Precision::Dd,
         Precision::F256,
     ];
 
+    /// Those with a finer one to be held against, from coarse to fine.
+    pub const WITNESSED: [Precision; 3] = [Precision::F32, Precision::F64, Precision::Dd];
+
+    /// The precision called `id`.
+    pub fn find(id: &str) -> Option<Precision> {
+        let all = Precision::FIXED.into_iter().chain([Precision::Auto]);
+        all.into_iter().find(|precision| precision.id() == id)
+    }
+
     /// The word of `--set precision=`.
-    fn id(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Precision::F64 => "f64",
             Precision::F32 => "f32",
             Precision::Dd => "dd",
             Precision::F256 => "f256",
+            Precision::Auto => "auto",
         }
+    }
+}
+
+impl Exact {
+    /// The precision that a setting asks for; `None` if it is no setting of this engine.
+    pub fn precision(setting: &Setting) -> Option<Precision> {
+        let settings: Settings = setting.read().ok()?;
+        Some(settings.precision)
     }
 }
 
@@ -122,17 +150,33 @@ impl Engine for Exact {
 
     fn missing(&self, scene: &Scene) -> Vec<&'static str> {
         // exhaustive, so that a new law does not compile until it is answered here
-        match (
-            scene.effects.cloth,
-            scene.effects.contact,
-            scene.effects.cushion,
-        ) {
-            (
-                None | Some(Cloth::Translational { .. }),
-                None | Some(Contact::Elastic {}),
-                None | Some(Cushion::Elastic {}),
-            ) => Vec::new(),
+        let mut missing = Vec::new();
+        match scene.effects.cloth {
+            None | Some(Cloth::Translational { .. }) => {}
+            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
         }
+        match scene.effects.contact {
+            None | Some(Contact::Elastic {}) => {}
+            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+        }
+        match scene.effects.friction {
+            None => {}
+            Some(law @ (Friction::Constant { .. } | Friction::Alciatore { .. })) => {
+                missing.push(law.id());
+            }
+        }
+        match scene.effects.cushion {
+            None | Some(Cushion::Elastic {}) => {}
+            Some(
+                law @ (Cushion::Restitution { .. }
+                | Cushion::Han2005 { .. }
+                | Cushion::Mathavan2010 { .. }),
+            ) => missing.push(law.id()),
+        }
+        if scene.effects.pockets.is_some() {
+            missing.push(Pockets::<f64>::ID);
+        }
+        missing
     }
 
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
@@ -180,7 +224,7 @@ impl Engine for Exact {
 
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         let at = |precision: Precision| Setting::default().with("precision", precision.id());
-        vec![("precision", Precision::ALL.map(at).to_vec())]
+        vec![("precision", Precision::FIXED.map(at).to_vec())]
     }
 
     fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
@@ -218,6 +262,7 @@ impl Engine for Exact {
             Precision::F32 => Prepared::<f32>::boxed(scene, provenance, &settings),
             Precision::Dd => Prepared::<DoubleDouble>::boxed(scene, provenance, &settings),
             Precision::F256 => Prepared::<Octuple>::boxed(scene, provenance, &settings),
+            Precision::Auto => auto::Escalating::boxed(scene, provenance, &settings)?,
         })
     }
 }
@@ -231,15 +276,19 @@ struct Prepared<'a, T: Real> {
 }
 
 impl<'a, T: Real> Prepared<'a, T> {
-    fn boxed(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Box<dyn Run + 'a> {
+    fn new(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Self {
         let mut solver = Solver::<T>::new(scene);
         solver.partners = settings.partners;
-        Box::new(Prepared {
+        Prepared {
             scene,
             solver,
             provenance,
             precision: settings.precision,
-        })
+        }
+    }
+
+    fn boxed(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Box<dyn Run + 'a> {
+        Box::new(Prepared::<T>::new(scene, provenance, settings))
     }
 }
 
@@ -316,11 +365,18 @@ impl<T: Real> Run for Prepared<'_, T> {
             Some(Cloth::Translational { mu }) => {
                 sheet.push(row(Role::ClothFriction, "mu", mu, ""));
             }
+            Some(Cloth::Rotational { mu_slide, .. }) => {
+                sheet.push(row(Role::ClothFriction, "mu_slide", mu_slide, ""));
+            }
             None => sheet.push(row(Role::ClothFriction, "cloth", "none", "")),
         }
         match scene.effects.contact {
             Some(Contact::Elastic {}) => {
                 sheet.push(row(Role::BallRestitution, "restitution", 1.0, ""));
+                sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
+            }
+            Some(Contact::Inelastic { e }) => {
+                sheet.push(row(Role::BallRestitution, "restitution", e, ""));
                 sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
             }
             None => sheet.push(row(Role::BallRestitution, "contact", "none", "")),
@@ -330,6 +386,14 @@ impl<T: Real> Run for Prepared<'_, T> {
                 sheet.push(row(Role::CushionRestitution, "restitution", 1.0, ""));
                 sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
             }
+            Some(Cushion::Restitution { e }) => {
+                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
+                sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
+            }
+            Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
+                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
+                sheet.push(row(Role::CushionFriction, "friction", mu, ""));
+            }
             None => sheet.push(row(Role::CushionRestitution, "cushion", "none", "")),
         }
         sheet.sort_by_key(|parameter| parameter.role);
@@ -337,7 +401,11 @@ impl<T: Real> Run for Prepared<'_, T> {
     }
 
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
-        self.solver.run(self.provenance, record, limits)
+        let mut trace = self.solver.run(self.provenance, record, limits);
+        if let Record::Every(_) = record {
+            trace.certainty = certify(self.scene, &trace, T::ULP);
+        }
+        trace
     }
 }
 
@@ -355,11 +423,18 @@ impl<T: Real> Prepared<'_, T> {
                     restitution,
                 });
             };
-            if let Some(Contact::Elastic {}) = world.contact {
-                add(Partner::Ball, 0.0, 1.0);
+            match world.contact {
+                Some(Contact::Elastic {}) => add(Partner::Ball, 0.0, 1.0),
+                Some(Contact::Inelastic { e }) => add(Partner::Ball, 0.0, e.to_f64()),
+                None => {}
             }
-            if let Some(Cushion::Elastic {}) = world.cushion {
-                add(Partner::Cushion, 0.0, 1.0);
+            match world.cushion {
+                Some(Cushion::Elastic {}) => add(Partner::Cushion, 0.0, 1.0),
+                Some(Cushion::Restitution { e }) => add(Partner::Cushion, 0.0, e.to_f64()),
+                Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
+                    add(Partner::Cushion, mu.to_f64(), e.to_f64());
+                }
+                None => {}
             }
             match world.ground {
                 // what acts is mu g; the scene's gravity makes it comparable
@@ -371,6 +446,7 @@ impl<T: Real> Prepared<'_, T> {
                 Ground::Frictionless => {
                     let mu = self.scene.effects.cloth.map_or(0.0, |cloth| match cloth {
                         Cloth::Translational { mu } => mu,
+                        Cloth::Rotational { mu_slide, .. } => mu_slide,
                     });
                     add(Partner::Cloth, mu, 0.0);
                 }

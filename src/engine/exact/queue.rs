@@ -25,6 +25,20 @@ pub enum What {
     Nothing,
 }
 
+impl What {
+    /// The balls that take part.
+    pub fn balls(self) -> Vec<usize> {
+        match self {
+            What::Pair(a, b) | What::UnclearPair(a, b) => vec![a as usize, b as usize],
+            What::Cushion(a, _)
+            | What::UnclearCushion(a, _)
+            | What::End(a)
+            | What::Leaving(a, _) => vec![a as usize],
+            What::Nothing => Vec::new(),
+        }
+    }
+}
+
 /// The next event of one ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate<T> {

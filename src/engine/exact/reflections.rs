@@ -95,6 +95,15 @@ impl<T: Real> Cluster<'_, T> {
         // exhaustive: a law with losses or friction has to say here what it means for several contacts
         match (self.world.contact, self.world.cushion) {
             (None | Some(Contact::Elastic {}), None | Some(Cushion::Elastic {})) => {}
+            (Some(Contact::Inelastic { .. }), _)
+            | (
+                _,
+                Some(
+                    Cushion::Restitution { .. }
+                    | Cushion::Han2005 { .. }
+                    | Cushion::Mathavan2010 { .. },
+                ),
+            ) => return None,
         }
         let constraints = self.constraints();
         let mass = self.masses();

@@ -219,13 +219,13 @@ impl<'a, T: Real> Cluster<'a, T> {
         match touch {
             Touch::Pair(a, b, n) => {
                 if let Some(law) = world.contact {
-                    let (one, other) = contact::impact(law, &body(a), &body(b), &n);
+                    let (one, other) = contact::impact(law, None, &body(a), &body(b), &n);
                     (velocities[a], velocities[b]) = (plan(one), plan(other));
                 }
             }
             Touch::Cushion(a, side) => {
                 if let Some(law) = world.cushion {
-                    velocities[a] = plan(cushion::impact(law, &body(a), side));
+                    velocities[a] = plan(cushion::impact(law, &body(a), side).motion);
                 }
             }
         }

@@ -173,7 +173,8 @@ impl<T: Real> Loop<'_, T> {
                 continue;
             }
             if self.counts.events >= limits.max_events {
-                return Ending::Budget;
+                let why = format!("the limit of {} events is reached", limits.max_events);
+                return Ending::Budget(self.spot(&next.what.balls(), &why));
             }
             self.now_is(next.time);
             let ended = match next.what {
@@ -355,7 +356,7 @@ impl<T: Real> Loop<'_, T> {
             (p * v).is_finite() && (p * a).is_finite() && (v * v).is_finite() && (a * a).is_finite()
         };
         let unfit: Vec<usize> = (0..solver.flights.len())
-            .filter(|ball| !fit(&solver.flights[*ball]))
+            .filter(|ball| !fit(&solver.flights[*ball]) || self.creeps(*ball))
             .collect();
         let range = solver.world.fastest.is_finite() && solver.world.blur.length.is_finite();
         if unfit.is_empty() && range && solver.world.duration.is_finite() {
@@ -363,8 +364,23 @@ impl<T: Real> Loop<'_, T> {
         }
         Some(Ending::NotFinite(self.spot(
             &unfit,
-            "its position or velocity is not a number, or too large to compute with",
+            "its position or velocity is not a number, or too large or too small to compute with",
         )))
+    }
+
+    /// True if a ball is so slow that the square of its speed has lost its digits, and still gets somewhere within the duration.
+    fn creeps(&self, ball: usize) -> bool {
+        let world = &self.solver.world;
+        let given = self.solver.scene.balls[ball].state.velocity;
+        // without squares that vanish
+        let path = given.x.hypot(given.y) * world.duration.to_f64();
+        // products with the square must keep their digits: a number that survives an ulp of itself has room for them
+        let [x, y] = [T::lift(given.x), T::lift(given.y)];
+        let square = x * x + y * y;
+        let small = T::lift(T::ULP) / T::lift(3.0);
+        let lost = (square * small / small - square).abs();
+        (square == T::zero() || lost > square * T::lift(16.0 * T::ULP))
+            && path > world.blur.length.to_f64()
     }
 
     /// Counts an event at this time.
@@ -450,6 +466,7 @@ mod tests {
                 cloth: Some(Cloth::Translational { mu: 0.2 }),
                 contact: Some(Contact::Elastic {}),
                 cushion: Some(Cushion::Elastic {}),
+                ..Effects::default()
             },
             simultaneous: Simultaneous::Refuse,
             richer: None,

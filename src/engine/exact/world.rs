@@ -24,15 +24,17 @@ pub struct World<T> {
     /// The cloth.
     pub ground: Ground<T>,
     /// The law of ball-ball impacts; without one, balls pass through each other.
-    pub contact: Option<Contact>,
+    pub contact: Option<Contact<T>>,
     /// The law of cushions.
-    pub cushion: Option<Cushion>,
+    pub cushion: Option<Cushion<T>>,
     /// Contact distance if all radii are equal.
     same_distance: Option<T>,
     /// Gap within which surfaces touch, length.
     pub touching: T,
     /// Simulated time, s.
     pub duration: T,
+    /// Largest coordinate that a centre can have, length.
+    pub extent: f64,
     /// What positions and velocities are good to.
     pub blur: Blur<T>,
     /// No ball is ever faster, length/s: all energy in the lightest.
@@ -63,7 +65,8 @@ impl<T: Real> World<T> {
             .map(|b| b.mass)
             .fold(f64::INFINITY, f64::min);
         let fastest = (2.0 * scene.initial_energy() / lightest).sqrt();
-        let ground = Ground::new(&scene.effects.lift(), lift(scene.gravity));
+        let effects = scene.effects.lift();
+        let ground = Ground::new(&effects, lift(scene.gravity));
         let travel = match ground {
             Ground::Coulomb(deceleration) => {
                 let duration = fastest / deceleration.to_f64();
@@ -86,14 +89,15 @@ impl<T: Real> World<T> {
                 Vec::new()
             },
             ground,
-            contact: scene.effects.contact,
-            cushion: scene.effects.cushion,
+            contact: effects.contact,
+            cushion: effects.cushion,
             same_distance: scene
                 .equal_radii()
                 .then(|| plan_distance(radius[0], radius[0])),
             radius,
             touching: lift(scene.touching()),
             duration: lift(scene.duration),
+            extent,
             blur: Blur {
                 length: lift(ROUNDINGS * T::ULP * extent),
                 speed: lift(2.0 * ROUNDINGS * T::ULP * fastest),

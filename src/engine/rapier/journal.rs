@@ -97,7 +97,8 @@ impl<'a> Journal<'a> {
         let rest_speed = rest_speed(scene);
         let drag = match scene.effects.cloth {
             Some(Cloth::Translational { mu }) => translational::deceleration(mu, scene.gravity),
-            None => 0.0,
+            // not built; `missing` names it
+            Some(Cloth::Rotational { .. }) | None => 0.0,
         };
         Journal {
             scene,

@@ -22,7 +22,7 @@ pub use settings::{Ccd, Friction, Preset, Settings};
 use super::setting::knobs_of;
 use super::{About, Engine, Knob, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
-use crate::physics::{Cloth, Contact, Cushion};
+use crate::physics::{self, Cloth, Contact, Cushion, Pockets};
 use crate::scene::Scene;
 use run::Simulation;
 
@@ -99,17 +99,35 @@ impl Engine for Rapier {
     }
 
     fn missing(&self, scene: &Scene) -> Vec<&'static str> {
-        // a law that is added must be answered here before this compiles
+        // exhaustive, so that a new law does not compile until it is answered here
+        let mut missing = Vec::new();
         match scene.effects.cloth {
-            Some(Cloth::Translational { .. }) | None => {}
+            None | Some(Cloth::Translational { .. }) => {}
+            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
         }
         match scene.effects.contact {
-            Some(Contact::Elastic {}) | None => {}
+            None | Some(Contact::Elastic {}) => {}
+            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+        }
+        match scene.effects.friction {
+            None => {}
+            Some(
+                law @ (physics::Friction::Constant { .. } | physics::Friction::Alciatore { .. }),
+            ) => {
+                missing.push(law.id());
+            }
         }
         match scene.effects.cushion {
-            Some(Cushion::Elastic {}) | None => {}
+            None | Some(Cushion::Elastic {}) => {}
+            Some(
+                law @ (Cushion::Restitution { .. }
+                | Cushion::Han2005 { .. }
+                | Cushion::Mathavan2010 { .. }),
+            ) => missing.push(law.id()),
         }
-        let mut missing = Vec::new();
+        if scene.effects.pockets.is_some() {
+            missing.push(Pockets::<f64>::ID);
+        }
         if scene.effects.contact.is_some() && !scene.equal_radii() {
             missing.push(
                 "balls of unequal radii that meet (the tilted impact would lift one off the table)",

@@ -130,6 +130,7 @@ impl Billiard {
             .allow_fast_rotation(settings.allow_fast_rotation);
         let restitution = match scene.effects.contact {
             Some(Contact::Elastic {}) | None => 1.0,
+            Some(Contact::Inelastic { e }) => e,
         };
         let met = match scene.effects.contact {
             Some(_) => BALLS | TABLE,
@@ -138,7 +139,7 @@ impl Billiard {
         let collider = ColliderBuilder::ball(lift(ball.radius))
             .mass(lift(ball.mass))
             .friction(0.0)
-            .restitution(restitution)
+            .restitution(lift(restitution))
             .restitution_combine_rule(CoefficientCombineRule::Min)
             .collision_groups(InteractionGroups::new(BALLS, met, InteractionTestMode::And))
             .user_data(index as u128);

@@ -48,11 +48,13 @@ impl ClothStep for Translational {
 
 /// The scene's cloth as a step of length `dt`, or `None` where nothing slows a ball.
 pub fn translational(effects: &Effects, gravity: f64, dt: f64) -> Option<Translational> {
-    effects
-        .cloth
-        .map(|Cloth::Translational { mu }| Translational {
+    match effects.cloth {
+        Some(Cloth::Translational { mu }) => Some(Translational {
             mu,
             deceleration: translational::deceleration(mu, gravity),
             dt,
-        })
+        }),
+        // not built; `missing` names it
+        Some(Cloth::Rotational { .. }) | None => None,
+    }
 }

@@ -177,6 +177,7 @@ fn by_law(
     };
     let (a, b) = physics::contact::impact(
         law,
+        None,
         &body(first),
         &body(second),
         &Vector3::new(n.x, n.y, 0.0),

@@ -10,6 +10,7 @@ mod run;
 use super::setting::{knobs_of, refuse};
 use super::{About, Engine, Knob, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
+use crate::physics::{Cloth, Contact, Cushion, Friction, Pockets};
 use crate::scene::{Scene, Shot};
 use run::Stepping;
 use schemars::JsonSchema;
@@ -109,8 +110,35 @@ impl Engine for Stepper {
         knobs_of::<Settings>()
     }
 
-    fn missing(&self, _scene: &Scene) -> Vec<&'static str> {
-        Vec::new()
+    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+        // exhaustive, so that a new law does not compile until it is answered here
+        let mut missing = Vec::new();
+        match scene.effects.cloth {
+            None | Some(Cloth::Translational { .. }) => {}
+            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
+        }
+        match scene.effects.contact {
+            None | Some(Contact::Elastic {}) => {}
+            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+        }
+        match scene.effects.friction {
+            None => {}
+            Some(law @ (Friction::Constant { .. } | Friction::Alciatore { .. })) => {
+                missing.push(law.id());
+            }
+        }
+        match scene.effects.cushion {
+            None | Some(Cushion::Elastic {}) => {}
+            Some(
+                law @ (Cushion::Restitution { .. }
+                | Cushion::Han2005 { .. }
+                | Cushion::Mathavan2010 { .. }),
+            ) => missing.push(law.id()),
+        }
+        if scene.effects.pockets.is_some() {
+            missing.push(Pockets::<f64>::ID);
+        }
+        missing
     }
 
     fn promises(&self, scene: &Scene, _setting: &Setting) -> Vec<Invariant> {

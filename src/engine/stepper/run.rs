@@ -610,7 +610,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                     mass: self.balls.mass[i],
                     radius: self.balls.radius[i],
                 };
-                after.velocity = cushion::impact(law, &body, side).velocity;
+                after.velocity = cushion::impact(law, &body, side).motion.velocity;
             }
             (self.balls.x[i], self.balls.y[i]) = (after.position.x, after.position.y);
             (self.balls.vx[i], self.balls.vy[i]) = (after.velocity.x, after.velocity.y);

@@ -5,8 +5,8 @@
 //! stepping to it again and again converges from the left, quadratically, and a bound without a root proves a miss. The
 //! stretch ends at the inflections of `f` and soon after its expected minimum, which keeps the bound tight in grazes.
 //!
-//! Error: near a root, `f` is known to about `2 D blur.length`, so a contact is good to `blur.length / |v_n|` where `v_n` is
-//! the normal speed; a contact that is shallower than the blur is [`Contact::Unclear`] instead.
+//! Error: that of the last Newton step, see `error.rs`. A contact that an error of the size of the blur could remove, or move
+//! without bound, is [`Contact::Unclear`] instead.
 
 use super::{Approach, Blur, Contact};
 use crate::math::Real;
@@ -288,12 +288,14 @@ impl<T: Real> Curve<T> {
 
     /// True once one Newton step leaves nothing but rounding, or the root is passed by rounding.
     fn converged(&self, here: &Point<T>) -> bool {
-        if here.f <= T::zero() {
-            return true;
-        }
-        let residual = here.f * here.f * self.curvature(here.t).abs();
-        here.slope < T::zero()
-            && residual <= here.slope * here.slope * self.square * T::lift(T::ULP)
+        here.f <= T::zero() || (here.slope < T::zero() && self.is_tight(here))
+    }
+
+    /// True if a Newton step from here is off by less than an ulp of `D^2`: `s^2 f'' / 2 + s^3 f''' / 6` with `s = f / f'`.
+    fn is_tight(&self, here: &Point<T>) -> bool {
+        let s = (here.f / here.slope).abs();
+        let third = (self.c1 + (self.c2 + self.c2) * here.t).abs();
+        s * s * (self.curvature(here.t).abs() + s * third) <= self.square * T::lift(T::ULP)
     }
 
     /// One Newton step, and whether the contact is deep and fast enough to be one.
@@ -302,26 +304,48 @@ impl<T: Real> Curve<T> {
             return Contact::Unclear(here.t);
         }
         let mut here = here;
-        if T::BITS > MANY_BITS {
+        if T::BITS > MANY_BITS || T::DIFFERENTIATES || !self.is_tight(&here) {
             here = self.polished(here);
         }
         if T::DIFFERENTIATES {
-            // the root moves as -(change of f) / f' when the step starts where nothing moves
+            // the root moves as -(change of f) / f' when the step starts where nothing moves, and at the root itself: a start
+            // that is off by s leaves an error of the order of s
             here = self.at(here.t.detached());
         }
         let t = (here.t - here.f / here.slope).at_least(T::zero());
         let square = here.slope * here.slope;
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
-        // f'^2 / (2 f'') is how deep the discs would go
-        let shallow = square <= self.curvature(t) * (self.blurred + self.blurred);
-        if shallow || square <= slow * slow {
+        // the condition under which `error::moved` has a bound for an error of the size of the blur
+        let around = (self.blurred + self.blurred) / here.slope;
+        let bend = self
+            .curvature(t + around)
+            .abs()
+            .at_least(self.curvature(t - around).abs());
+        if square <= bend * (self.blurred + self.blurred) {
+            self.doubt(&here, bend)
+        } else if square <= slow * slow {
             Contact::Unclear(t)
         } else {
             Contact::At(t)
         }
     }
 
-    /// Newton steps until they change nothing any more.
+    /// Unclear from the earliest time at which the discs could touch, given a point within the blur of contact.
+    #[cold]
+    fn doubt(&self, here: &Point<T>, bend: T) -> Contact<T> {
+        // from one blur above contact to one below it, and back; where the curvature changes on the way, less
+        let mut reach = (self.blurred * T::lift(4.0) / bend).sqrt();
+        for _ in 0..PATIENCE {
+            if self.at(here.t - reach).f <= self.blurred * T::lift(4.0) {
+                break;
+            }
+            reach *= T::lift(0.5);
+        }
+        Contact::Unclear((here.t - reach).at_least(T::zero()))
+    }
+
+    /// Newton steps until they change nothing any more: for the last digit of many, and from a point that passed the root of a
+    /// graze, whose slope is far from that at the root.
     #[cold]
     fn polished(&self, mut here: Point<T>) -> Point<T> {
         for _ in 0..PATIENCE {
@@ -359,9 +383,7 @@ impl<T: Real> Curve<T> {
         if lowest > self.blurred {
             Contact::Never
         } else if lowest >= -self.blurred {
-            // from the earliest time at which it could be a contact
-            let reach = (self.blurred * T::lift(4.0) / self.curvature(from)).sqrt();
-            Contact::Unclear((from - reach).at_least(start.t))
+            self.doubt(&self.at(from), self.curvature(from))
         } else {
             self.finish(self.bisect(start.t, from), blur)
         }

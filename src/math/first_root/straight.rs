@@ -2,6 +2,7 @@
 //!
 //! It serves every pair with a resting partner (a decelerating ball keeps its line) and every pair without cloth, which
 //! together are almost all. The line is `p + v w` with `w(t) = t - t^2 / (2 rest)`, so the quartic is a quadratic in `w`.
+//! Where the motion ends within the blur of contact, the answer is [`Contact::Unclear`].
 
 use super::{Blur, Contact};
 use crate::math::Real;
@@ -35,6 +36,7 @@ pub fn straight_contact<T: Real>(
     hit(
         &Line {
             p,
+            v,
             inward,
             speed2,
             chord2,
@@ -49,6 +51,7 @@ pub fn straight_contact<T: Real>(
 
 struct Line<T> {
     p: [T; 2],
+    v: [T; 2],
     inward: T,
     speed2: T,
     chord2: T,
@@ -82,7 +85,7 @@ fn hit<T: Real>(line: &Line<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
     // the square of the speed at contact, relative to the speed now
     let left = one - two * w / line.rest_in;
     if left <= zero {
-        return Contact::Never;
+        return line.stops_short(limit, blur);
     }
     let t = two * w / (one + left.sqrt());
     if t > limit {
@@ -96,5 +99,25 @@ fn hit<T: Real>(line: &Line<T>, limit: T, blur: &Blur<T>) -> Contact<T> {
         Contact::Unclear(t)
     } else {
         Contact::At(t)
+    }
+}
+
+impl<T: Real> Line<T> {
+    /// It stops before the contact: a miss, unless what is missing is within the blur.
+    #[cold]
+    fn stops_short(&self, limit: T, blur: &Blur<T>) -> Contact<T> {
+        let (half, four) = (T::lift(0.5) * self.rest_in, T::lift(4.0));
+        let [x, y] = [0, 1].map(|i| self.p[i] + self.v[i] * half);
+        if x * x + y * y - self.distance * self.distance > self.blurred {
+            return Contact::Never;
+        }
+        // from two blurs before the stop, which is at v tau^2 / (2 rest)
+        let tau = (four * blur.length * self.rest_in / self.speed2.sqrt()).sqrt();
+        let t = (self.rest_in - tau).at_least(T::zero());
+        if t > limit {
+            Contact::Never
+        } else {
+            Contact::Unclear(t)
+        }
     }
 }

@@ -1,8 +1,10 @@
-//! Impulses of ball-ball impacts. One file per law.
+//! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, see
+//! [`friction`](super::friction).
 
 pub mod elastic;
+pub mod inelastic;
 
-use super::{Body, Contact, Motion};
+use super::{Body, Contact, Friction, Motion, friction};
 use crate::math::Real;
 use nalgebra::Vector3;
 
@@ -18,16 +20,25 @@ pub fn plan_distance<T: Real>(r1: T, r2: T) -> T {
     }
 }
 
-/// Motion of both balls after an impact.
+/// Motion of both balls after an impact: the door of all laws of this room.
 ///
-/// `n`: unit vector from ball 1 to ball 2, in the plan of the table. The balls must approach: `(v1 - v2) . n > 0`.
+/// `n`: unit vector from ball 1 to ball 2, in the plan of the table; between unequal balls the impulse acts along this
+/// projection, and the tilt sets the contact distance only. The balls must approach: `(v1 - v2) . n > 0`. Velocities are
+/// three-dimensional: friction lifts one ball and presses the other down. What a cloth does about that is
+/// [`Motion::on_cloth`].
 pub fn impact<T: Real>(
-    law: Contact,
+    law: Contact<T>,
+    friction: Option<Friction<T>>,
     first: &Body<T>,
     second: &Body<T>,
     n: &Vector3<T>,
 ) -> (Motion<T>, Motion<T>) {
-    match law {
+    let smooth = match law {
         Contact::Elastic {} => elastic::impact(first, second, n),
+        Contact::Inelastic { e } => inelastic::impact(e, first, second, n),
+    };
+    match friction {
+        None => smooth,
+        Some(law) => friction::rub(law, first, second, n, smooth),
     }
 }

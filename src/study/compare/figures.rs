@@ -221,6 +221,16 @@ pub(super) fn divergence(outcome: &Outcome) -> Option<Figure> {
             (b.trace()?, "between the two engines")
         }
     };
+    marks.extend(
+        outcome
+            .horizon
+            .as_ref()
+            .filter(|h| !h.is_whole())
+            .map(|h| Mark {
+                at: h.until,
+                label: "horizon".to_owned(),
+            }),
+    );
     // every event of the reference as a minor mark, the first differences in words
     marks.extend(reference.collisions().map(|event| Mark {
         at: event.time,
@@ -230,7 +240,7 @@ pub(super) fn divergence(outcome: &Outcome) -> Option<Figure> {
         id: format!("divergence-{}", outcome.scene.name),
         title: "Divergence".to_owned(),
         caption: format!(
-            "Largest distance of any ball {caption}. Thin lines: collisions. Labels: first differing collision."
+            "Largest distance of any ball {caption}. Thin lines: collisions. Labels: first differing collision, and the horizon where it lies within the run."
         ),
         x: Axis::linear("time", &outcome.scene.units.time),
         y: Axis::log("distance", "R"),

@@ -10,11 +10,16 @@ mod words;
 
 pub use causes::Cause;
 pub use page::{LengthUnit, page, summary, thumbnail};
-pub use words::{describe_ending, describe_event, describe_order, describe_scene};
+pub use words::{
+    describe_ending, describe_event, describe_growth, describe_kind, describe_order,
+    describe_scene, describe_span,
+};
 
 use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
-use crate::engine::{self, ENGINES};
+use crate::engine::exact::Exact;
+use crate::engine::exact::horizon::{Horizon, horizon};
+use crate::engine::{self, ENGINES, Limits};
 use crate::finding::Finding;
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
@@ -33,6 +38,8 @@ pub struct Outcome {
     pub reference: Option<usize>,
     /// Why there is no reference, in one sentence.
     pub no_reference: Option<String>,
+    /// Up to which event the reference can be believed; `None` without a reference, or with one in a precision that has no finer one.
+    pub horizon: Option<Horizon>,
     /// Every pair of engines that ran, apart from the reference; the stepper and rapier first.
     pub pairs: Vec<PairOutcome>,
     /// Every number, with its address.
@@ -96,6 +103,11 @@ impl Outcome {
         self.findings
             .iter()
             .filter(move |f| f.engine == engine && f.metric == metric)
+    }
+
+    /// Time up to which the reference can be believed, s; infinite for a whole shot, and where nothing is known.
+    pub fn certain_until(&self) -> f64 {
+        self.horizon.as_ref().map_or(f64::INFINITY, |h| h.until)
     }
 
     /// The worst value of a metric for one engine or pair, with the ball or event that owns it.
@@ -181,11 +193,16 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>) -> Outcome {
         entries,
         reference: None,
         no_reference: None,
+        horizon: None,
         pairs: Vec::new(),
         findings: Vec::new(),
     };
     match reference(&outcome.entries) {
-        Ok(index) => outcome.reference = Some(index),
+        Ok(index) => {
+            outcome.reference = Some(index);
+            outcome.horizon = Exact::precision(&columns[index].setting)
+                .and_then(|precision| horizon(scene, precision, false, &Limits::NONE));
+        }
         Err(why) => outcome.no_reference = Some(why),
     }
     stand_alone(&mut outcome);
@@ -231,7 +248,8 @@ fn against_reference(outcome: &mut Outcome) {
             .zip(outcome.entries[index].trace())
             .filter(|_| i != index);
         standings.push(pair.map(|(trace, reference)| {
-            let comparison = Comparison::new(&outcome.scene, trace, reference);
+            let comparison =
+                Comparison::new(&outcome.scene, trace, reference).up_to(outcome.certain_until());
             let findings = compare::of_pair(&comparison, &entry.label());
             let attribution = attribute(&comparison);
             (Standing::new(comparison, attribution), findings)
@@ -281,7 +299,8 @@ fn in_pairs(outcome: &mut Outcome) {
         let Some((ours, theirs)) = a.trace().zip(b.trace()) else {
             continue;
         };
-        let comparison = Comparison::new(&outcome.scene, ours, theirs);
+        let comparison =
+            Comparison::new(&outcome.scene, ours, theirs).up_to(outcome.certain_until());
         outcome
             .findings
             .extend(compare::of_pair(&comparison, &pair_label(a, b)));

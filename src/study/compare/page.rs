@@ -1,7 +1,8 @@
 //! The document of a comparison: what the terminal shows, and the page of a report.
 
 use super::words::{
-    describe_ending, describe_event, describe_order, describe_scene, describe_span,
+    describe_ending, describe_event, describe_horizon, describe_order, describe_scene,
+    describe_span,
 };
 use super::{Entry, Outcome, PairOutcome, Standing, figures, pair_label};
 use crate::engine::{Parameter, Role};
@@ -104,10 +105,10 @@ pub fn page(outcome: &Outcome) -> Document {
     blocks.push(Block::Table(sheet(outcome)));
     blocks.push(Block::Table(settings(outcome)));
     blocks.push(Block::Heading("Run it yourself".to_owned()));
-    blocks.push(Block::Command(format!(
-        "carom compare {}",
-        outcome.scene.name
-    )));
+    for command in ["compare", "horizon"] {
+        let line = format!("carom {command} {}", outcome.scene.name);
+        blocks.push(Block::Command(line));
+    }
     document
 }
 
@@ -194,10 +195,11 @@ fn reference_line(outcome: &Outcome) -> String {
     let reference = outcome.reference.map(|i| &outcome.entries[i]);
     match reference.and_then(|entry| Some((entry.label(), entry.trace()?))) {
         Some((label, trace)) => format!(
-            "Reference: {label}, {} events of which {} collisions. {}.",
+            "Reference: {label}, {} events of which {} collisions. {}.{}",
             trace.events.len(),
             trace.collisions().count(),
-            describe_ending(trace)
+            describe_ending(trace),
+            horizon_line(outcome)
         ),
         None => format!(
             "No reference: {}.",
@@ -207,6 +209,21 @@ fn reference_line(outcome: &Outcome) -> String {
                 .unwrap_or("no run is complete")
         ),
     }
+}
+
+/// How far the reference can be believed, and what to do beyond.
+fn horizon_line(outcome: &Outcome) -> String {
+    let Some(horizon) = &outcome.horizon else {
+        return String::new();
+    };
+    let mut line = format!(" Horizon: {}.", describe_horizon(horizon));
+    if !horizon.is_whole() {
+        line += &format!(
+            " Beyond it final positions are noise, in every engine: compare them as distributions with carom ensemble {}.",
+            outcome.scene.name
+        );
+    }
+    line
 }
 
 /// The main table: one row an engine.
@@ -350,7 +367,11 @@ fn attribution_table(outcome: &Outcome, scale: &Scale) -> Table {
         Column::number("timing", "timing", &scale.unit),
         Column::number("arithmetic", "arithmetic", &scale.unit),
         Column::number("model", "model", &scale.unit),
-        Column::number("until-parting", "before the orders part", &scale.unit),
+        Column::number(
+            "until-parting",
+            "before the orders part and the horizon",
+            &scale.unit,
+        ),
     ];
     let mut rows = Vec::new();
     for entry in &outcome.entries {

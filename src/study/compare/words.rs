@@ -1,6 +1,8 @@
 //! Scenes, events and endings in plain words.
 
 use crate::compare::Order;
+use crate::engine::exact::horizon::Horizon;
+use crate::physics::Pockets;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
 
@@ -13,6 +15,12 @@ pub fn describe_scene(scene: &Scene) -> String {
     let mut numbers: Vec<(&'static str, f64)> = Vec::new();
     scene.effects.map(|key, value| numbers.push((key, value)));
     let with_numbers = |id: &&'static str| {
+        if let (&Pockets::<f64>::ID, Some(pockets)) = (id, &scene.effects.pockets) {
+            return match pockets.circles.len() {
+                1 => "1 pocket".to_owned(),
+                n => format!("{n} pockets"),
+            };
+        }
         let own = numbers.iter().filter_map(|(key, value)| {
             let name = key.strip_prefix(id)?.strip_prefix('.')?;
             Some(format!(" {name} {value}"))
@@ -68,6 +76,34 @@ pub fn describe_ending(trace: &Trace) -> String {
             ending.id(),
             trace.end_time
         ),
+    }
+}
+
+/// `whole shot, growth 812 x`, or `event 51 of 115, t = 10.2776 s, growth 1.7e17 x`.
+pub fn describe_horizon(horizon: &Horizon) -> String {
+    let reach = if horizon.is_whole() {
+        "whole shot".to_owned()
+    } else {
+        format!(
+            "event {} of {}, t = {:.4} s",
+            horizon.certain,
+            horizon.sights.len(),
+            horizon.until
+        )
+    };
+    match &horizon.growth {
+        Some(growth) => format!("{reach}, growth {}", describe_growth(growth.last())),
+        None => reach,
+    }
+}
+
+/// `812 x`.
+pub fn describe_growth(factor: f64) -> String {
+    if (1.0..1e5).contains(&factor) {
+        let digits = (2 - factor.log10().floor() as i32).max(0) as usize;
+        format!("{factor:.digits$} x")
+    } else {
+        format!("{factor:.2e} x")
     }
 }
 

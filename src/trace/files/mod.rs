@@ -7,7 +7,7 @@
 //!
 //! | file          | holds                                                                                                   |
 //! |---------------|---------------------------------------------------------------------------------------------------------|
-//! | `events.csv`  | the events, by index                                                                                    |
+//! | `events.csv`  | the events, by index, with their certainty where the engine states it                                   |
 //! | `samples.csv` | the knots by time, then ball in scene order, near side before far side; a ball's own order is its path's |
 //! | `final.csv`   | one row a ball, *in scene order*: this file is what names the balls; last state and stop time           |
 //! | `run.json`    | provenance, ending, end time, counters, extrema                                                         |
@@ -39,6 +39,8 @@ pub const RUN: &str = "run.json";
 
 /// Columns of [`EVENTS`], in order.
 pub const EVENT_COLUMNS: [&str; 6] = ["index", "time", "kind", "a", "b", "exchanges"];
+/// Further columns of [`EVENTS`], empty where the engine does not say: see [`super::Certainty`].
+pub const CERTAINTY_COLUMNS: [&str; 3] = ["margin", "condition", "time_error"];
 /// Columns of [`SAMPLES`], in order.
 pub const SAMPLE_COLUMNS: [&str; 12] = [
     "time", "ball", "x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "event",

@@ -1,12 +1,12 @@
 //! The text of four files as a trace, with every fault named by file, line and column.
 
 use super::{
-    EVENT_COLUMNS, EVENTS, FINAL, FINAL_COLUMNS, FileError, Files, SAMPLE_COLUMNS, SAMPLES,
-    ball_index, run,
+    CERTAINTY_COLUMNS, EVENT_COLUMNS, EVENTS, FINAL, FINAL_COLUMNS, FileError, Files,
+    SAMPLE_COLUMNS, SAMPLES, ball_index, run,
 };
 use crate::math::Vec3;
 use crate::physics::{Side, State};
-use crate::trace::{Event, EventKind, Knot, Path, Trace};
+use crate::trace::{Certainty, Event, EventKind, Knot, Path, Trace};
 use std::collections::HashMap;
 
 /// The trace that four files hold.
@@ -22,13 +22,14 @@ pub fn read(files: &Files) -> Result<Trace, FileError> {
         .enumerate()
         .map(|(i, id)| (id.as_str(), i as u32))
         .collect();
-    let events = events(&files.events, &balls, &index)?;
+    let (events, certainty) = events(&files.events, &balls, &index)?;
     let paths = samples(&files.samples, &balls, &index, &events)?;
     let part = run::read(&files.run, &balls)?;
     let trace = Trace {
         provenance: part.provenance,
         paths,
         events,
+        certainty,
         stop_times: rows.iter().map(|row| row.stop_time).collect(),
         extrema: part.extrema,
         counters: part.counters,
@@ -114,9 +115,15 @@ impl FinalRow {
     }
 }
 
-fn events(text: &str, balls: &[String], index: &Index) -> Result<Vec<Event>, FileError> {
-    let mut table = Table::open(EVENTS, text, &EVENT_COLUMNS)?;
+/// The events, and what is known of their certainty: nothing at all if no row says anything.
+fn events(
+    text: &str,
+    balls: &[String],
+    index: &Index,
+) -> Result<(Vec<Event>, Vec<Certainty>), FileError> {
+    let mut table = Table::open(EVENTS, text, &EVENT_COLUMNS)?.with_optional(&CERTAINTY_COLUMNS);
     let mut events: Vec<Event> = Vec::new();
+    let mut certainty: Vec<Certainty> = Vec::new();
     while let Some([number, time, kind, a, b, exchanges]) = table.row()? {
         if number.whole::<usize>()? != events.len() {
             let expected = events.len();
@@ -134,8 +141,17 @@ fn events(text: &str, balls: &[String], index: &Index) -> Result<Vec<Event>, Fil
             return Err(time.wrong(format!("{} is earlier than the event before", event.time)));
         }
         events.push(event);
+        let [margin, condition, time_error] = table.optional_fields();
+        certainty.push(Certainty {
+            margin: margin.optional(Field::number)?,
+            condition: condition.optional(Field::number)?,
+            time_error: time_error.optional(Field::number)?,
+        });
     }
-    Ok(events)
+    if certainty.iter().all(|known| *known == Certainty::default()) {
+        certainty.clear();
+    }
+    Ok((events, certainty))
 }
 
 fn event_kind(
@@ -255,11 +271,15 @@ fn state_of(n: [f64; 9]) -> State {
 }
 
 /// A CSV file being read, row by row.
-struct Table<'a, const N: usize> {
+struct Table<'a, const N: usize, const M: usize = 0> {
     file: &'static str,
     columns: &'static [&'static str; N],
     /// Where each known column is in this file.
     at: [usize; N],
+    /// Columns that a file may lack.
+    optional: &'static [&'static str; M],
+    /// Where they are, if anywhere.
+    optional_at: [Option<usize>; M],
     reader: csv::Reader<&'a [u8]>,
     record: csv::StringRecord,
 }
@@ -285,8 +305,43 @@ impl<'a, const N: usize> Table<'a, N> {
             file,
             columns,
             at,
+            optional: &[],
+            optional_at: [],
             reader,
             record: csv::StringRecord::new(),
+        })
+    }
+
+    /// The same table, also reading columns that it may lack.
+    fn with_optional<const M: usize>(
+        mut self,
+        optional: &'static [&'static str; M],
+    ) -> Table<'a, N, M> {
+        // the header was read when the table was opened
+        let header = self.reader.headers().cloned().unwrap_or_default();
+        Table {
+            file: self.file,
+            columns: self.columns,
+            at: self.at,
+            optional,
+            optional_at: optional.map(|column| header.iter().position(|name| name == column)),
+            reader: self.reader,
+            record: self.record,
+        }
+    }
+}
+
+impl<const N: usize, const M: usize> Table<'_, N, M> {
+    /// The fields of the row read last that a file may lack; empty where it does.
+    fn optional_fields(&self) -> [Field<'_>; M] {
+        let line = self.record.position().map_or(0, csv::Position::line);
+        std::array::from_fn(|i| Field {
+            file: self.file,
+            line,
+            column: self.optional[i],
+            text: self.optional_at[i]
+                .and_then(|at| self.record.get(at))
+                .unwrap_or_default(),
         })
     }
 

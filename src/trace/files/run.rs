@@ -191,13 +191,13 @@ fn ending(entry: EndingEntry, balls: &[String]) -> Result<Ending, FileError> {
         ("rest", None) => Ok(Ending::Rest),
         ("duration", None) => Ok(Ending::Duration),
         ("cancelled", None) => Ok(Ending::Cancelled),
-        ("budget", None) => Ok(Ending::Budget),
+        ("budget", Some(spot)) => Ok(Ending::Budget(spot)),
         ("indeterminate", Some(spot)) => Ok(Ending::Indeterminate(spot)),
         ("undecidable", Some(spot)) => Ok(Ending::Undecidable(spot)),
         ("collapsed", Some(spot)) => Ok(Ending::Collapsed(spot)),
         ("not-finite", Some(spot)) => Ok(Ending::NotFinite(spot)),
         (kind, _) => Err(wrong(format!(
-            "kind `{kind}`: expected rest, duration, cancelled or budget without a spot, or indeterminate, \
+            "kind `{kind}`: expected rest, duration or cancelled without a spot, or budget, indeterminate, \
              undecidable, collapsed or not-finite with one"
         ))),
     }

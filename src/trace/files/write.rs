@@ -1,7 +1,9 @@
 //! A trace as the text of four files.
 
 use super::number::shortest;
-use super::{EVENT_COLUMNS, FINAL_COLUMNS, FileError, Files, SAMPLE_COLUMNS, id_of, run};
+use super::{
+    CERTAINTY_COLUMNS, EVENT_COLUMNS, FINAL_COLUMNS, FileError, Files, SAMPLE_COLUMNS, id_of, run,
+};
 use crate::physics::State;
 use crate::trace::{EventKind, Trace};
 use std::cmp::{Ordering, Reverse};
@@ -28,7 +30,14 @@ pub fn write(trace: &Trace) -> Result<Files, FileError> {
 }
 
 fn events(trace: &Trace) -> Result<String, FileError> {
-    let mut sheet = Sheet::new(&EVENT_COLUMNS)?;
+    if !trace.certainty.is_empty() && trace.certainty.len() != trace.events.len() {
+        return Err(unwritable(format!(
+            "it has {} events and the certainty of {}",
+            trace.events.len(),
+            trace.certainty.len()
+        )));
+    }
+    let mut sheet = Sheet::new(&[&EVENT_COLUMNS[..], &CERTAINTY_COLUMNS].concat())?;
     for (index, event) in trace.events.iter().enumerate() {
         let (a, b) = event.kind.balls();
         for ball in std::iter::once(a).chain(b) {
@@ -44,6 +53,10 @@ fn events(trace: &Trace) -> Result<String, FileError> {
             .exchanges
             .map(|count| count.to_string())
             .unwrap_or_default();
+        let certainty = trace.certainty.get(index).copied().unwrap_or_default();
+        let [margin, condition, time_error] =
+            [certainty.margin, certainty.condition, certainty.time_error]
+                .map(|number| number.map(shortest).unwrap_or_default());
         sheet.row([
             &index.to_string(),
             &shortest(event.time),
@@ -51,6 +64,9 @@ fn events(trace: &Trace) -> Result<String, FileError> {
             &a,
             &b,
             &exchanges,
+            &margin,
+            &condition,
+            &time_error,
         ])?;
     }
     sheet.text()

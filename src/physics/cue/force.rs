@@ -1,4 +1,4 @@
-//! How a shot sets a ball in motion.
+//! The report's shot: a constant force that acts for a time on a ball at rest.
 
 /// Speed given by a force that acts for a time, length/s: `v = F t / m`, the report's launch from rest.
 ///

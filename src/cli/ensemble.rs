@@ -1,0 +1,50 @@
+//! `carom ensemble`.
+
+use super::arguments::{EnsembleArguments, parse_engines};
+use super::{Failure, output, scene, terminal};
+use crate::report;
+use crate::scene::Scene;
+use crate::scene::perturb::Law;
+use crate::study::Watch;
+use crate::study::ensemble::{Plan, page, plan_columns, study, summary};
+use std::process::ExitCode;
+
+/// Runs an ensemble, prints the summary and writes the page if a folder is named.
+pub fn ensemble(arguments: &EnsembleArguments) -> Result<ExitCode, Failure> {
+    let scene = scene::resolve(&arguments.scene)?;
+    let plan = Plan {
+        law: law(arguments, &scene),
+        scene,
+        samples: arguments.samples,
+        seed: arguments.seed,
+        columns: plan_columns(&parse_engines(&arguments.engines)?),
+    };
+    let progress = terminal::Progress::new();
+    let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
+    let watch = Watch {
+        progress: &show,
+        cancelled: terminal::cancelled(),
+    };
+    let outcome = study(plan, watch);
+    drop(progress);
+    let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
+    if let Some(folder) = &arguments.out {
+        output::write_files(folder, report::site(&page(&outcome)))?;
+    }
+    let printed =
+        terminal::print(&report::render(&summary(&outcome), &arguments.format).unwrap_or_default());
+    if let Some(folder) = &arguments.out {
+        terminal::say(&format!("Page: {}", folder.join("index.html").display()));
+    }
+    printed
+}
+
+/// What the flags name varies and nothing else; without any, the scene's default law.
+fn law(arguments: &EnsembleArguments, scene: &Scene) -> Law {
+    let named = [arguments.aim, arguments.speed, arguments.gap];
+    if named.iter().all(Option::is_none) {
+        return Law::default_for(scene);
+    }
+    let [aim, speed, gap] = named.map(Option::unwrap_or_default);
+    Law { aim, speed, gap }
+}

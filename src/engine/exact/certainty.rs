@@ -1,0 +1,242 @@
+//! How certain each event of a finished run is: the margin to the next candidate, the condition, and the error of the time.
+//!
+//! The error is estimated by taking the run again in dual numbers whose lanes are probes: at the start and after every event each
+//! probe disturbs centre, velocity and clock by all the rounding that one event can do to them, with random signs, and the dual
+//! arithmetic carries every disturbance to every later event. The estimate is [`DEVIATIONS`] times the root mean square of the
+//! probes. It is linear, so it holds as long as the error stays small, which is up to the horizon.
+
+use super::flight::Flight;
+use super::predict::{Near, Notes, View};
+use super::simultaneous::Cluster;
+use super::tangent::{Replay, Script};
+use super::world::World;
+use crate::math::random::Draws;
+use crate::scene::{Scene, Simultaneous};
+use crate::trace::{Certainty, Ending, Event, EventKind, Trace};
+
+/// Certainty is not computed for more balls than this: the margin of an event looks at all of them.
+pub const MOST_BALLS: usize = 1000;
+
+/// Random combinations of roundings that are followed.
+const PROBES: usize = 16;
+
+/// Estimated error, in root mean squares of the probes. Four, because 16 probes tell a deviation to a fifth or so, and an error is
+/// beyond three deviations once in 400 events.
+const DEVIATIONS: f64 = 4.0;
+
+/// Seed of the signs; any number would do.
+const SEED: u64 = 0x6361_726f_6d;
+
+/// Roundings of a velocity in one impact, relative.
+const SPEED_ROUNDINGS: f64 = 2.0;
+
+/// Roundings of the clock in one event.
+const CLOCK: f64 = 2.0;
+
+/// Certainty of every event of a trace of the exact engine, in a scalar whose unit in the last place is `ulp`. Empty for more than
+/// [`MOST_BALLS`] balls.
+pub fn certify(scene: &Scene, trace: &Trace, ulp: f64) -> Vec<Certainty> {
+    if scene.balls.len() > MOST_BALLS {
+        return Vec::new();
+    }
+    let script = Script::new(scene, trace);
+    let mut probes = Some(Probes::new(&script, ulp));
+    let mut table = Table::new(&script);
+    let mut found = Vec::with_capacity(trace.events.len());
+    for (index, event) in trace.events.iter().enumerate() {
+        let time_error = probes.as_mut().and_then(|probes| probes.error(event, ulp));
+        if time_error.is_none() {
+            // what follows an event without a derivative has none either
+            probes = None;
+        }
+        let mut certainty = table.certainty(event);
+        certainty.time_error = time_error;
+        if !certainty.is_clear() && !table.order_matters(event, time_error.unwrap_or_default()) {
+            // what else there is at this instant makes no difference
+            certainty.margin = table.margin_after(event);
+        }
+        table.pass(index, event);
+        found.push(certainty);
+    }
+    found
+}
+
+/// The run with the roundings of every event.
+struct Probes<'a> {
+    replay: Replay<'a, PROBES>,
+    /// Rounding of a coordinate, length.
+    length: f64,
+    /// Rounding of a velocity, as a part of it.
+    speed: f64,
+    draws: Draws,
+}
+
+impl<'a> Probes<'a> {
+    fn new(script: &'a Script<'a>, ulp: f64) -> Self {
+        let effects = script.scene.effects.lift();
+        let replay = Replay::new(script, &effects, |_, _| {});
+        let mut probes = Probes {
+            length: ulp * replay.world.extent,
+            speed: SPEED_ROUNDINGS * ulp,
+            draws: Draws::new(SEED, 0),
+            replay,
+        };
+        for ball in 0..script.scene.balls.len() {
+            probes.disturb(ball, 0.0);
+        }
+        probes
+    }
+
+    /// Error of the time of the next event, s; `None` if it has no derivative.
+    fn error(&mut self, event: &Event, ulp: f64) -> Option<f64> {
+        let time = self.replay.step()?.ok()?;
+        let clock = CLOCK * ulp * event.time;
+        let (a, b) = event.kind.balls();
+        for ball in std::iter::once(a).chain(b) {
+            self.disturb(ball, clock);
+        }
+        let squares: f64 = time.partials.iter().map(|x| x * x).sum();
+        let deviation = (squares / PROBES as f64).sqrt();
+        Some(DEVIATIONS * deviation + clock)
+    }
+
+    /// Disturbs what a ball does by one rounding of everything that it consists of.
+    fn disturb(&mut self, ball: usize, clock: f64) {
+        let flight = &self.replay.flights[ball];
+        let fastest = flight.fastest.value;
+        let (length, speed) = (self.length, self.speed * fastest);
+        let mut motion = [flight.position, flight.velocity];
+        let mut start = flight.start;
+        for lane in 0..PROBES {
+            let mut signs = self.draws.bits();
+            let mut signed = |size: f64| {
+                signs >>= 1;
+                if signs & 1 == 0 { size } else { -size }
+            };
+            for axis in 0..2 {
+                motion[0][axis].partials[lane] += signed(length);
+                motion[1][axis].partials[lane] += signed(speed);
+            }
+            start.partials[lane] += signed(clock);
+        }
+        self.replay.restart(ball, start, motion);
+    }
+}
+
+/// Where every ball is between two events, in f64.
+struct Table<'a> {
+    script: &'a Script<'a>,
+    world: World<f64>,
+    flights: Vec<Flight<f64>>,
+    versions: Vec<u32>,
+    notes: Notes<f64>,
+}
+
+impl<'a> Table<'a> {
+    fn new(script: &'a Script<'a>) -> Self {
+        let world = World::<f64>::new(script.scene);
+        let flights = world.first_flights(script.scene);
+        Table {
+            script,
+            world,
+            versions: vec![0; flights.len()],
+            flights,
+            notes: Notes::default(),
+        }
+    }
+
+    /// Margin and condition of the event that is next, seen from before it.
+    fn certainty(&mut self, event: &Event) -> Certainty {
+        let (a, b) = event.kind.balls();
+        let known = encounter(event.kind);
+        let margin = match event.kind {
+            EventKind::BallBall(..) | EventKind::BallCushion(..) => {
+                let balls = std::iter::once(a).chain(b);
+                let next = balls.map(|ball| self.next(ball, event.time, known));
+                Some(next.fold(f64::INFINITY, f64::min))
+            }
+            _ => self.margin_after(event),
+        };
+        Certainty {
+            margin,
+            condition: self.condition(event),
+            time_error: None,
+        }
+    }
+
+    /// Time until something else happens to a ball that goes on as it does, s.
+    fn next(&mut self, ball: usize, now: f64, known: Option<Near>) -> f64 {
+        let view = View {
+            world: &self.world,
+            flights: &self.flights,
+            versions: &self.versions,
+        };
+        let all = 0..self.flights.len();
+        let next = view.next_event(ball, now, all, known, &mut self.notes);
+        let end = match self.script.trace.ending {
+            // an event can also fall out of the run
+            Ending::Duration => self.script.trace.end_time,
+            _ => f64::INFINITY,
+        };
+        (next.time.min(end) - now).max(0.0)
+    }
+
+    /// Time from the event to the next later one of its balls, s.
+    fn margin_after(&self, event: &Event) -> Option<f64> {
+        let events = &self.script.trace.events;
+        let later = events
+            .iter()
+            .find(|other| other.time > event.time && other.kind.shares_ball(event.kind));
+        Some(later.map_or(f64::INFINITY, |other| other.time - event.time))
+    }
+
+    fn condition(&self, event: &Event) -> Option<f64> {
+        let state = |ball: usize| self.flights[ball].at(event.time);
+        let (along, normal) = match event.kind {
+            EventKind::BallBall(a, b) => {
+                let ((p, v), (q, w)) = (state(a as usize), state(b as usize));
+                let (x, y) = (q[0] - p[0], q[1] - p[1]);
+                let (vx, vy) = (v[0] - w[0], v[1] - w[1]);
+                let normal = (vx * x + vy * y) / x.hypot(y);
+                (vx.hypot(vy), normal)
+            }
+            EventKind::BallCushion(a, side) => {
+                let (_, v) = state(a as usize);
+                (v[0].hypot(v[1]), v[side.axis()].abs())
+            }
+            _ => return None,
+        };
+        (normal > 0.0).then(|| (along / normal).max(1.0))
+    }
+
+    /// True if impacts within `window` seconds of this one could come in another order with another result.
+    fn order_matters(&self, event: &Event, window: f64) -> bool {
+        if self.script.scene.simultaneous == Simultaneous::GeneralizedReflections {
+            // the convention takes them all at once
+            return false;
+        }
+        let state = |ball: usize| self.flights[ball].at(event.time);
+        let everyone = |_: usize| (0..self.flights.len()).collect();
+        let (a, b) = event.kind.balls();
+        let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
+        Cluster::around(&self.world, &seeds, &state, &everyone, window).order_matters()
+    }
+
+    /// Takes the balls of an event to its far side.
+    fn pass(&mut self, index: usize, event: &Event) {
+        for (ball, state) in &self.script.far[index] {
+            let (r, v) = (state.position, state.velocity);
+            self.flights[*ball] =
+                Flight::new(self.world.ground, event.time, [r.x, r.y], [v.x, v.y]);
+        }
+    }
+}
+
+/// The encounter that an event is.
+fn encounter(kind: EventKind) -> Option<Near> {
+    match kind {
+        EventKind::BallBall(a, b) => Some(Near::Pair(a as usize, b as usize)),
+        EventKind::BallCushion(a, side) => Some(Near::Cushion(a as usize, side)),
+        _ => None,
+    }
+}

@@ -1,0 +1,197 @@
+//! Ensembles: one scene varied by a stated law, many samples in several engines, and how the answers are distributed.
+//!
+//! Plan: samples by engines as a matrix whose cells keep only where and when the balls stopped. Conclusion, in two ways. Sample
+//! by sample: in how many samples an engine has the orders of the reference, which is the first engine with a complete run, and
+//! how far the ends lie apart. As distributions: moments, quantiles, and whether an engine's differ from the reference's.
+
+mod agreement;
+mod distribution;
+mod figures;
+mod landing;
+mod orders;
+mod page;
+mod spread;
+
+pub use agreement::{Agreement, Farthest, agreement};
+pub use distribution::{Quantity, Test};
+pub use landing::{Landing, Order};
+pub use orders::Frequent;
+pub use page::{page, summary};
+pub use spread::{surround, surroundings};
+
+use super::matrix::{self, Column, Watch};
+use crate::engine::Refusal;
+use crate::math::statistics::Distribution;
+use crate::scene::Scene;
+use crate::scene::perturb::{Law, PerturbError, Perturbation};
+use crate::trace::Record;
+use thiserror::Error;
+
+/// Most samples of one ensemble.
+pub const MOST_SAMPLES: usize = 10_000_000;
+
+/// What to run.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The scene in the middle of the ensemble.
+    pub scene: Scene,
+    /// How it varies.
+    pub law: Law,
+    /// Number of samples, 1 to [`MOST_SAMPLES`].
+    pub samples: usize,
+    /// Seed of all draws.
+    pub seed: u64,
+    /// Engines; the first with a complete run is what the others are held against.
+    pub columns: Vec<Column>,
+}
+
+/// Why there is no such ensemble.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EnsembleError {
+    /// The scene cannot vary by the law.
+    #[error(transparent)]
+    Law(#[from] PerturbError),
+    /// The number of samples is out of range.
+    #[error("an ensemble has 1 to {MOST_SAMPLES} samples, not {0}")]
+    Samples(usize),
+    /// There is nothing to run it in.
+    #[error("an ensemble needs an engine, such as exact")]
+    NoEngine,
+}
+
+/// What one engine made of one sample; `None` if the user asked to stop before it was done.
+type Cell = Option<Result<Landing, Refusal>>;
+
+/// Everything that an ensemble found.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// What was asked for.
+    pub plan: Plan,
+    /// The law as applied, one sentence for each thing that varies.
+    pub law: Vec<String>,
+    /// Number of samples that were run in every engine.
+    pub done: usize,
+    /// One entry an engine, in the order of the plan.
+    pub entries: Vec<Entry>,
+    /// Index of the entry that all others are held against: the first with a complete run; `None` if there is none.
+    pub reference: Option<usize>,
+    /// The other engines' distributions against the reference's.
+    pub tests: Vec<Test>,
+    /// The most frequent collision orders.
+    pub frequent: Vec<Frequent>,
+}
+
+/// One engine in an ensemble.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Engine and setting.
+    pub column: Column,
+    /// What it made of each sample, by index.
+    pub cells: Vec<Cell>,
+    /// For each ball in scene order and each [`Quantity`]: its distribution over the complete runs.
+    pub distributions: Vec<[Option<Distribution>; 3]>,
+    /// Number of distinct collision orders among the complete runs.
+    pub orders: usize,
+    /// How it agrees with the reference, sample by sample; `None` for that one itself, and without one.
+    pub agreement: Option<Agreement>,
+}
+
+impl Entry {
+    /// Engine and setting as one label.
+    pub fn label(&self) -> String {
+        self.column.label()
+    }
+
+    /// The complete runs, with the index of their sample.
+    pub fn complete(&self) -> impl Iterator<Item = (usize, &Landing)> {
+        let cells = self.cells.iter().enumerate();
+        cells.filter_map(|(sample, cell)| match cell {
+            Some(Ok(landing)) if landing.complete => Some((sample, landing)),
+            _ => None,
+        })
+    }
+}
+
+/// The engines in which an ensemble runs: the exact ones first, otherwise as named.
+pub fn plan_columns(named: &[Column]) -> Vec<Column> {
+    let mut columns = named.to_vec();
+    columns.sort_by_key(|column| column.engine.id() != "exact");
+    columns
+}
+
+/// Runs an ensemble. Answers the same to the bit for any number of threads.
+pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
+    if !(1..=MOST_SAMPLES).contains(&plan.samples) {
+        return Err(EnsembleError::Samples(plan.samples));
+    }
+    if plan.columns.is_empty() {
+        return Err(EnsembleError::NoEngine);
+    }
+    let perturbation = Perturbation::new(&plan.scene, plan.law)?;
+    let seed = plan.seed;
+    let sample = |index: usize| perturbation.sample(seed, index as u64);
+    let cells = matrix::run_samples(
+        plan.samples,
+        sample,
+        &plan.columns,
+        Record::Events,
+        watch,
+        |trace| trace.map(|trace| Landing::of(&trace)),
+    );
+    let mut outcome = conclude(plan, perturbation.in_words(), cells);
+    orders::spell_out(&mut outcome, sample, watch);
+    Ok(outcome)
+}
+
+/// Concludes from the cells, which are those of the first sample in every engine, then those of the second, and so on.
+fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
+    let width = plan.columns.len();
+    let mut by_engine: Vec<Vec<Cell>> = vec![Vec::with_capacity(plan.samples); width];
+    let mut done = 0;
+    let mut cells = cells.into_iter();
+    for _ in 0..plan.samples {
+        let row: Vec<Cell> = cells.by_ref().take(width).collect();
+        let whole = row.iter().all(Option::is_some);
+        done += usize::from(whole);
+        for (column, cell) in by_engine.iter_mut().zip(row) {
+            // what not every engine has run is nobody's
+            column.push(cell.filter(|_| whole));
+        }
+    }
+    let columns = plan.columns.iter().cloned().zip(by_engine);
+    let mut entries: Vec<Entry> = columns
+        .map(|(column, cells)| Entry {
+            column,
+            cells,
+            distributions: Vec::new(),
+            orders: 0,
+            agreement: None,
+        })
+        .collect();
+    for entry in &mut entries {
+        entry.distributions = distribution::of(entry, plan.scene.balls.len());
+        entry.orders = orders::distinct(entry);
+    }
+    let reference = entries.iter().position(|e| e.complete().next().is_some());
+    if let Some(index) = reference {
+        let radius = plan.scene.smallest_radius();
+        let agreements: Vec<Option<Agreement>> = entries
+            .iter()
+            .enumerate()
+            .map(|(i, entry)| (i != index).then(|| agreement(&entries[index], entry, radius)))
+            .collect();
+        for (entry, agreement) in entries.iter_mut().zip(agreements) {
+            entry.agreement = agreement;
+        }
+    }
+    Outcome {
+        tests: distribution::tests(&entries, reference, &plan.scene),
+        frequent: orders::most_frequent(&entries, reference),
+        plan,
+        law,
+        done,
+        entries,
+        reference,
+    }
+}

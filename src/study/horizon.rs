@@ -1,0 +1,347 @@
+//! How far one scene can be predicted: its horizon, the growth of perturbations, and which input matters most.
+//!
+//! Plan: the exact engine in one precision and in the next finer one. Conclusion: up to which event both can be right, and what moves
+//! the balls before.
+
+use super::compare::{
+    describe_ending, describe_growth, describe_kind, describe_scene, describe_span,
+};
+use crate::engine::exact::horizon::{BAND, Horizon, Limit, Sight, horizon};
+use crate::engine::exact::sensitivity::{Influence, influences};
+use crate::engine::exact::{Exact, Precision};
+use crate::engine::{Engine, Limits, Refusal};
+use crate::finding::{Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table};
+use crate::scene::Scene;
+use crate::trace::EventKind;
+use std::sync::atomic::AtomicBool;
+
+/// Runs the scene in `precision` and in its witness and says how far they can be believed.
+///
+/// Errors: the scene calls for what the exact engine cannot simulate, or has too many balls.
+pub fn study(
+    scene: &Scene,
+    precision: Precision,
+    cancelled: &AtomicBool,
+) -> Result<Document, Refusal> {
+    let missing = Exact.missing(scene);
+    if !missing.is_empty() {
+        return Err(Refusal::NotComparable { missing });
+    }
+    let limits = Limits {
+        cancelled,
+        ..Limits::NONE
+    };
+    let found = horizon(scene, precision, true, &limits).ok_or_else(|| Refusal::Setting {
+        message: format!(
+            "a horizon needs a precision with a finer one to be held against, and a scene of at most {} balls; this one has {}",
+            crate::engine::exact::horizon::MOST_BALLS,
+            scene.balls.len()
+        ),
+    })?;
+    Ok(page(scene, &found))
+}
+
+/// The page of a horizon.
+fn page(scene: &Scene, horizon: &Horizon) -> Document {
+    let influences = influences(scene, &horizon.trace, horizon.until);
+    let mut blocks = vec![
+        Block::Text(describe_scene(scene)),
+        Block::Text(format!(
+            "{}. Held against {}: an event is within the horizon while both have it at the same place in the history of its balls, \
+             differ by less than {BAND:e} R (speeds in the largest initial speed), and the next other candidate is farther away \
+             than the error of the time.",
+            describe_ending(&horizon.trace),
+            horizon.witness.id()
+        )),
+    ];
+    blocks.push(Block::Figure(growth_figure(scene, horizon)));
+    if let Some(sentence) = matters_most(scene, horizon, &influences) {
+        blocks.push(Block::Text(sentence));
+        blocks.push(Block::Table(influence_table(scene, &influences)));
+        blocks.push(Block::Table(derivative_table(scene, &influences)));
+    } else {
+        blocks.push(Block::Text(
+            "Positions have no derivative here: the run did not reach its end, or a convention resolved several contacts at once."
+                .to_owned(),
+        ));
+    }
+    blocks.push(Block::Table(event_table(scene, horizon)));
+    blocks.push(Block::Command(format!("carom horizon {}", scene.name)));
+    Document {
+        id: "index".to_owned(),
+        title: format!("How far {} can be predicted", scene.name),
+        lead: sentence(scene, horizon),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+/// The horizon in one sentence, and the growth in another.
+fn sentence(scene: &Scene, horizon: &Horizon) -> String {
+    let all = horizon.sights.len();
+    let (precision, witness) = (horizon.precision.id(), horizon.witness.id());
+    let reach = format!(
+        "{precision} is right up to event {} of {all}, t = {:.4} {}",
+        horizon.certain, horizon.until, scene.units.time
+    );
+    let first = match horizon.limit {
+        Limit::Whole if !horizon.trace.ending.is_complete() => format!(
+            "{precision} is right about {all} events, and then the run has no answer: it ends as {}",
+            horizon.trace.ending.id()
+        ),
+        Limit::Whole => format!("{precision} is right about the whole shot: all {all} events"),
+        Limit::Order => format!("{reach}: then {precision} and {witness} go different ways"),
+        Limit::Apart => {
+            format!("{reach}: then {precision} and {witness} differ by more than {BAND:e} R")
+        }
+        Limit::Margin => {
+            let next = horizon.sights.get(horizon.certain);
+            let next = next.map_or_else(String::new, |sight| {
+                describe_kind(sight.event.kind, &horizon.trace)
+            });
+            format!("{reach}: then {next} is too close to another event to be certain of its place")
+        }
+    };
+    let second = horizon.growth.as_ref().map(|growth| match growth.rough {
+        None => format!(" A perturbation of the start grows {}.", describe_growth(growth.last())),
+        Some(index) => format!(
+            " Its growth is known up to event {index} only: then a convention resolved several contacts at once."
+        ),
+    });
+    format!("{first}.{}", second.unwrap_or_default())
+}
+
+/// Which input moves a ball farthest, in one sentence.
+fn matters_most(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> Option<String> {
+    let mut moved: Vec<(&Influence, usize, f64)> = influences
+        .iter()
+        .filter_map(|influence| {
+            let (ball, length) = influence.largest()?;
+            Some((influence, ball, length / scene.smallest_radius()))
+        })
+        .filter(|(_, _, length)| *length > 0.0)
+        .collect();
+    moved.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let (first, ball, length) = *moved.first()?;
+    let mut sentence = format!(
+        "Of the inputs, {} matters most: {} moves ball {} by {} R",
+        first.input.name(),
+        first.input.change(),
+        scene.balls[ball].id,
+        short_length(length)
+    );
+    for (influence, ball, length) in &moved[1..] {
+        sentence += &format!(
+            "; {} of {} ball {} by {} R",
+            influence.input.change(),
+            influence.input.name(),
+            scene.balls[*ball].id,
+            short_length(*length)
+        );
+    }
+    if !horizon.is_whole() {
+        sentence += &format!(
+            " at the horizon, t = {:.4} {}",
+            horizon.until, scene.units.time
+        );
+    }
+    Some(sentence + ".")
+}
+
+fn short_length(r: f64) -> String {
+    if (1e-3..1e4).contains(&r) {
+        let digits = (1 - r.log10().floor() as i32).clamp(0, 5) as usize;
+        format!("{r:.digits$}")
+    } else {
+        format!("{r:.1e}")
+    }
+}
+
+/// One row a ball, one column an input: how far its usual change moves the ball.
+fn influence_table(scene: &Scene, influences: &[Influence]) -> Table {
+    let radius = scene.smallest_radius();
+    let heading = |influence: &Influence| {
+        let title = format!("{} {}", influence.input.name(), influence.input.change());
+        Column::number(&key(influence), &title, "R")
+    };
+    Table {
+        id: "influences".to_owned(),
+        title: "What moves the balls".to_owned(),
+        columns: with_ball(influences.iter().map(heading)),
+        rows: rows(scene, |ball| {
+            let moves = influences.iter().map(|influence| influence.moves(ball) / radius);
+            moves.map(Cell::Number).collect()
+        }),
+        note: "First order, along the order of events of this run: a change large enough to reorder hits does more.".to_owned(),
+    }
+}
+
+/// The derivatives themselves.
+fn derivative_table(scene: &Scene, influences: &[Influence]) -> Table {
+    let radius = scene.smallest_radius();
+    let headings = influences.iter().flat_map(|influence| {
+        ["x", "y"].map(|axis| {
+            Column::number(
+                &format!("{}-{axis}", key(influence)),
+                &format!("{axis} by {}", influence.input.name()),
+                influence.input.unit(),
+            )
+        })
+    });
+    Table {
+        id: "derivatives".to_owned(),
+        title: "Derivatives of the positions".to_owned(),
+        columns: with_ball(headings),
+        rows: rows(scene, |ball| {
+            let both = influences.iter().flat_map(|influence| influence.derivative[ball]);
+            both.map(|d| Cell::Number(d / radius)).collect()
+        }),
+        note: "By rad of the aim, by a relative change of speeds and numbers of effects, by a restitution itself.".to_owned(),
+    }
+}
+
+fn key(influence: &Influence) -> String {
+    influence.input.name().replace([' ', '.', '_'], "-")
+}
+
+fn with_ball(columns: impl Iterator<Item = Column>) -> Vec<Column> {
+    std::iter::once(Column::words("ball", "ball"))
+        .chain(columns)
+        .collect()
+}
+
+fn rows(scene: &Scene, cells: impl Fn(usize) -> Vec<Cell>) -> Vec<Vec<Cell>> {
+    let row = |(ball, known): (usize, &crate::scene::Ball)| {
+        let mut row = vec![Cell::text(known.id.clone())];
+        row.extend(cells(ball));
+        row
+    };
+    scene.balls.iter().enumerate().map(row).collect()
+}
+
+/// Growth, difference of the precisions and estimated error, event by event.
+fn growth_figure(scene: &Scene, horizon: &Horizon) -> Figure {
+    let number = |index: usize| (index + 1) as f64;
+    let radius = scene.smallest_radius();
+    let speed = scene.largest_speed();
+    let growth = horizon.growth.iter().flat_map(|growth| &growth.factors);
+    let series = [
+        (
+            "growth of a perturbation",
+            Style::Line,
+            growth
+                .enumerate()
+                .map(|(i, factor)| [number(i), *factor])
+                .collect::<Vec<_>>(),
+        ),
+        (
+            "difference of the two precisions",
+            Style::Points,
+            horizon
+                .sights
+                .iter()
+                .enumerate()
+                .filter_map(|(i, sight)| Some([number(i), sight.apart?]))
+                .collect(),
+        ),
+        (
+            "estimated error of the time",
+            Style::Dashed,
+            horizon
+                .sights
+                .iter()
+                .enumerate()
+                .filter_map(|(i, sight)| Some([number(i), sight.estimated? * speed / radius]))
+                .collect(),
+        ),
+    ];
+    let mark = (!horizon.is_whole()).then(|| Mark {
+        at: horizon.certain as f64 + 0.5,
+        label: "horizon".to_owned(),
+    });
+    Figure {
+        id: "growth".to_owned(),
+        title: "Growth of perturbations, event by event".to_owned(),
+        caption: "Growth: largest singular value of the tangent map. Difference and estimated error: lengths in R, speeds in the \
+                  largest initial speed, times in R over that speed."
+            .to_owned(),
+        x: Axis::linear("event", ""),
+        y: Axis::log("factor; difference", ""),
+        equal_scale: false,
+        outline: None,
+        series: series
+            .into_iter()
+            .filter(|(_, _, points)| !points.is_empty())
+            .map(|(name, style, points)| Series {
+                name: name.to_owned(),
+                points,
+                style,
+            })
+            .collect(),
+        marks: mark.into_iter().collect(),
+    }
+}
+
+/// Every event with what is known of its certainty.
+fn event_table(scene: &Scene, horizon: &Horizon) -> Table {
+    let time = &scene.units.time;
+    let mut columns = vec![
+        Column::number("event", "#", ""),
+        Column::number("time", "time", time),
+        Column::words("what", "what"),
+        Column::number("margin", "margin", time),
+        Column::number("condition", "condition", ""),
+        Column::number("time-error", "error, estimated", time),
+        Column::number("seen", "seen", time),
+        Column::number("apart", "apart", "R"),
+        Column::number("growth", "growth", ""),
+    ];
+    if !horizon.is_whole() {
+        columns.push(Column::words("horizon", "horizon"));
+    }
+    let factors = horizon
+        .growth
+        .as_ref()
+        .map_or(&[][..], |growth| &growth.factors);
+    let row = |(index, sight): (usize, &Sight)| {
+        let who = describe_kind(sight.event.kind, &horizon.trace);
+        let what = match sight.event.kind {
+            EventKind::Stop(_) => format!("{who} stops"),
+            _ => who,
+        };
+        let mut row = vec![
+            Cell::Count(index as u64 + 1),
+            Cell::Fixed(sight.event.time, 9),
+            Cell::text(what),
+            Cell::maybe(sight.margin.filter(|margin| margin.is_finite())),
+            Cell::maybe(sight.condition),
+            Cell::maybe(sight.estimated),
+            Cell::maybe(sight.seen),
+            Cell::maybe(sight.apart),
+            Cell::maybe(factors.get(index).copied()),
+        ];
+        if !horizon.is_whole() {
+            row.push(Cell::text(if index < horizon.certain {
+                "within"
+            } else {
+                "beyond"
+            }));
+        }
+        row
+    };
+    let closest = horizon.sights.iter().filter_map(|sight| sight.margin);
+    let closest = closest.fold(f64::INFINITY, f64::min);
+    let note = format!(
+        "margin: until the next other candidate of its balls, had it not happened (smallest: {}). condition: relative speed over \
+         its normal part. error: of the time, estimated from rounding, and seen as the difference from the finer precision. apart: \
+         largest difference of the two.",
+        describe_span(closest)
+    );
+    Table {
+        id: "events".to_owned(),
+        title: "How certain each event is".to_owned(),
+        columns,
+        rows: horizon.sights.iter().enumerate().map(row).collect(),
+        note,
+    }
+}
