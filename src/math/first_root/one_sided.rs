@@ -37,8 +37,8 @@ struct Curve<T> {
     c2: T,
     /// Error of `f` near contact.
     blurred: T,
-    /// One over an ulp of `D^2`.
-    sharp: T,
+    /// An ulp of `D^2`.
+    ulp: T,
 }
 
 /// A time with the value and slope of `f`.
@@ -66,7 +66,7 @@ impl<T: Real> Curve<T> {
             c1: dot(v, a) * T::lift(6.0),
             c2: dot(a, a) * T::lift(3.0),
             blurred: (distance + distance) * blur.length,
-            sharp: T::lift(1.0 / T::ULP) / (distance * distance),
+            ulp: distance * distance * T::lift(T::ULP),
         }
     }
 
@@ -267,15 +267,15 @@ impl<T: Real> Curve<T> {
         if here.f <= T::zero() {
             return true;
         }
-        // s^2 f'' in ulps of D^2, s = f / f'
-        let residual = here.f * self.sharp * (here.f * self.curvature(here.t).abs());
-        here.slope < T::zero() && residual <= here.slope * here.slope
+        // s^2 f'' with s = f / f'; never true by products that vanish below the range of the scalar
+        let residual = here.f * here.f * self.curvature(here.t).abs();
+        here.slope < T::zero() && residual < here.slope * here.slope * self.ulp
     }
 
     /// True if the Newton step `s` is off by less than an ulp of `D^2`: by `s^2 f'' / 2 + s^3 f''' / 6`.
     fn is_tight(&self, here: &Point<T>, s: T) -> bool {
         let third = (self.c1 + (self.c2 + self.c2) * here.t).abs();
-        s * s * (self.curvature(here.t).abs() + s.abs() * third) * self.sharp <= T::one()
+        s * s * (self.curvature(here.t).abs() + s.abs() * third) <= self.ulp
     }
 
     /// One Newton step, and whether the contact is deep and fast enough to be one.
@@ -284,10 +284,12 @@ impl<T: Real> Curve<T> {
             return Contact::Unclear(here.t);
         }
         let mut here = here;
-        let mut step = here.f / here.slope;
+        let mut inverse = T::one() / here.slope;
+        let mut step = here.f * inverse;
         if T::BITS > MANY_BITS || T::DIFFERENTIATES || !self.is_tight(&here, step) {
             here = self.polished(here);
-            step = here.f / here.slope;
+            inverse = T::one() / here.slope;
+            step = here.f * inverse;
         }
         if T::DIFFERENTIATES {
             // the root moves as -(change of f) / f' when the step starts where nothing moves, and at the root itself: a start
@@ -298,8 +300,8 @@ impl<T: Real> Curve<T> {
         let t = (here.t - step).at_least(T::zero());
         let square = here.slope * here.slope;
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
-        // the condition under which `error::moved` has a bound for an error of the size of the blur
-        let around = (self.blurred + self.blurred) / here.slope;
+        // where this fails an error of the size of the blur moves the contact without bound: see `error.rs`
+        let around = (self.blurred + self.blurred) * inverse;
         let bend = self
             .curvature(t + around)
             .abs()
