@@ -21,8 +21,11 @@ const SPIN: f64 = 0.0127;
 const CLOTH: &str =
     "[effects.cloth.rotational]\nmu_slide = 0.2\nmu_roll = 0.01\nmu_spin = 0.0127\n";
 
-/// A scene in SI units: balls as (id, x, y, velocity, spin), and effects as written.
-fn scene(table: &str, balls: &[(&str, [f64; 2], [f64; 2], [f64; 3])], effects: &str) -> Scene {
+/// Id, centre, velocity and spin of a ball.
+type BallOf<'a> = (&'a str, [f64; 2], [f64; 2], [f64; 3]);
+
+/// A scene in SI units with effects as written.
+fn scene(table: &str, balls: &[BallOf<'_>], effects: &str) -> Scene {
     let mut text = format!(
         "name = \"shot\"\nduration = 200.0\ngravity = {G:?}\nunits = {{ length = \"m\", length_in_metres = 1.0 }}\n\n\
          {table}\n[ball]\nradius = {R:?}\nmass = 0.170097\n"
