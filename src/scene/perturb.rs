@@ -12,8 +12,8 @@ use super::{Ball, Scene, Shot, Simultaneous, plan_vector};
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
 use crate::math::random::Draws;
-use crate::physics::{Side, State};
 use crate::physics::cue::speed_from_force;
+use crate::physics::{Side, State};
 use std::collections::BTreeMap;
 use thiserror::Error;
 
@@ -304,10 +304,7 @@ fn drive(scene: &mut Scene, ball: usize, turn: f64, factor: f64) {
             *speed *= factor;
             *velocity = plan_vector(*speed, *angle_deg);
         }
-        Some(Shot::Strike {
-            ball: shot,
-            strike,
-        }) if *shot == ball => {
+        Some(Shot::Strike { ball: shot, strike }) if *shot == ball => {
             strike.angle_deg += turn;
             strike.speed *= factor;
             let motion = strike.motion(mass, radius);

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// How much of a run is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Record {
-    /// First and last states, stop times, extrema and counters; no events.
+    /// First and last states, stop times, extrema and counters; of the events only who left play where.
     Final,
     /// Also every event with both its sides.
     Events,
@@ -27,6 +27,7 @@ pub struct Recorder {
     events: Vec<Event>,
     event_count: u32,
     stop_times: Vec<Option<f64>>,
+    pocketed: Vec<bool>,
     extrema: Extrema,
     ledger: Ledger,
     next_sample: f64,
@@ -63,6 +64,7 @@ impl Recorder {
                 .iter()
                 .map(|s| (s.speed() <= rest_speed).then_some(0.0))
                 .collect(),
+            pocketed: vec![false; initial.len()],
             extrema: Extrema::default(),
             ledger: Ledger::default(),
             next_sample: match record {
@@ -78,7 +80,8 @@ impl Recorder {
     pub fn event(&mut self, time: f64, kind: EventKind, exchanges: Option<u64>) -> u32 {
         let index = self.event_count;
         self.event_count += 1;
-        if self.record != Record::Final {
+        let kept = self.record != Record::Final || matches!(kind, EventKind::Pocket(..));
+        if kept {
             self.events.push(Event {
                 time,
                 kind,
@@ -90,6 +93,9 @@ impl Recorder {
 
     /// Sets the number of exchanges of an event, once its contact episode has seen another.
     pub fn set_exchanges(&mut self, event: u32, exchanges: u64) {
+        if self.record == Record::Final {
+            return;
+        }
         if let Some(event) = self.events.get_mut(event as usize) {
             event.exchanges = Some(exchanges);
         }
@@ -131,6 +137,18 @@ impl Recorder {
         event
     }
 
+    /// A ball left play in `state`: adds the `pocket` event and ends the path there.
+    pub fn pocket(&mut self, ball: usize, time: f64, state: &State, pocket: u32) -> u32 {
+        let event = self.event(time, EventKind::Pocket(ball as u32, pocket), None);
+        self.jump(ball, time, state, state, event);
+        if self.record == Record::Final {
+            self.knot(ball, time, state);
+        }
+        self.stop_times[ball] = None;
+        self.pocketed[ball] = true;
+        event
+    }
+
     /// True when a cadence sample is due at `time`.
     pub fn due(&self, time: f64) -> bool {
         time >= self.next_sample
@@ -142,6 +160,9 @@ impl Recorder {
             return;
         };
         for (ball, state) in states.iter().enumerate() {
+            if self.pocketed[ball] {
+                continue;
+            }
             let resting = self.paths[ball]
                 .knots
                 .last()
@@ -194,14 +215,8 @@ impl Recorder {
         ending: Ending,
         counters: BTreeMap<String, u64>,
     ) -> Trace {
-        let mut pocketed = vec![false; states.len()];
-        for event in &self.events {
-            if let EventKind::Pocket(ball, _) = event.kind {
-                pocketed[ball as usize] = true;
-            }
-        }
         for (ball, state) in states.iter().enumerate() {
-            if pocketed[ball] {
+            if self.pocketed[ball] {
                 self.stop_times[ball] = None;
                 continue;
             }

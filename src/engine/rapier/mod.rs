@@ -5,13 +5,17 @@
 //! | `settings.rs` | the knobs and the two presets |
 //! | `world.rs` | the equivalent scene inside rapier; compiled twice, in `double.rs` and `single.rs` |
 //! | `interface.rs` | what the stepping loop sees of it |
+//! | `materials.rs` | coefficients of balls, cloth and cushions, and the rules that combine them |
+//! | `cloth.rs` | what of the cloth rapier lacks, as forces; what a step without impact leaves |
 //! | `run.rs` | the stepping loop |
 //! | `journal.rs` | impacts from impulses, both sides of each, extrema |
 //! | `sheet.rs` | rapier's parameters by its own names |
 
+mod cloth;
 mod double;
 mod interface;
 mod journal;
+mod materials;
 mod run;
 mod settings;
 mod sheet;
@@ -22,7 +26,7 @@ pub use settings::{Ccd, Friction, Preset, Settings};
 use super::setting::knobs_of;
 use super::{About, Engine, Knob, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
-use crate::physics::{self, Cloth, Contact, Cushion, Pockets};
+use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
 use run::Simulation;
 
@@ -102,31 +106,21 @@ impl Engine for Rapier {
         // exhaustive, so that a new law does not compile until it is answered here
         let mut missing = Vec::new();
         match scene.effects.cloth {
-            None | Some(Cloth::Translational { .. }) => {}
-            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
+            None | Some(Cloth::Translational { .. } | Cloth::Rotational { .. }) => {}
         }
         match scene.effects.contact {
-            None | Some(Contact::Elastic {}) => {}
-            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+            None | Some(Contact::Elastic {} | Contact::Inelastic { .. }) => {}
         }
         match scene.effects.friction {
-            None => {}
-            Some(
-                law @ (physics::Friction::Constant { .. } | physics::Friction::Alciatore { .. }),
-            ) => {
-                missing.push(law.id());
-            }
+            None
+            | Some(physics::Friction::Constant { .. } | physics::Friction::Alciatore { .. }) => {}
         }
         match scene.effects.cushion {
-            None | Some(Cushion::Elastic {}) => {}
-            Some(
-                law @ (Cushion::Restitution { .. }
-                | Cushion::Han2005 { .. }
-                | Cushion::Mathavan2010 { .. }),
-            ) => missing.push(law.id()),
-        }
-        if scene.effects.pockets.is_some() {
-            missing.push(Pockets::<f64>::ID);
+            None | Some(Cushion::Elastic {} | Cushion::Restitution { .. }) => {}
+            // laws of a paper: an impulse at a nose that rapier's half-spaces do not have
+            Some(law @ (Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. })) => {
+                missing.push(law.id());
+            }
         }
         if scene.effects.contact.is_some() && !scene.equal_radii() {
             missing.push(
