@@ -129,6 +129,22 @@ impl Recorder {
         });
     }
 
+    /// A ball began to roll or lost its spin: adds the event and both its sides. Whether the centre rests is not touched.
+    pub fn phase(
+        &mut self,
+        ball: usize,
+        time: f64,
+        before: &State,
+        after: &State,
+        kind: EventKind,
+    ) -> u32 {
+        let event = self.event(time, kind, None);
+        let stop_time = self.stop_times[ball];
+        self.jump(ball, time, before, after, event);
+        self.stop_times[ball] = stop_time;
+        event
+    }
+
     /// The centre of a ball came to rest: adds the `stop` event, both sides, and the stop time.
     pub fn stop(&mut self, ball: usize, time: f64, before: &State, after: &State) -> u32 {
         let event = self.event(time, EventKind::Stop(ball as u32), None);

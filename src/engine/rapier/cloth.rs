@@ -10,9 +10,10 @@
 use super::run::rest_speed;
 use crate::math::Vec3;
 use crate::physics::cloth::rotational::{
-    Coefficients, natural_roll, rolling, rolling_spin, slip_velocity, spin_deceleration,
+    Coefficients, rolling, rolling_spin, slip_velocity, spin_deceleration,
 };
 use crate::physics::cloth::translational;
+use crate::physics::invariants::sphere_inertia;
 use crate::physics::{Cloth, Motion, State};
 use crate::scene::Scene;
 
@@ -84,9 +85,9 @@ impl Felt {
         }
     }
 
-    /// True when the lowest point of the ball slips over the cloth.
-    pub fn slides(&self, state: &State, radius: f64) -> bool {
-        slip_velocity(&state.velocity, &state.spin, radius).norm() > self.slip_rest
+    /// True when the ball slips over the cloth at the end of a step. `lever`: of the state in which that step began.
+    pub fn slides(&self, state: &State, lever: f64) -> bool {
+        slip_velocity(&state.velocity, &state.spin, lever).norm() > self.slip_rest
     }
 
     /// True when the ball spins about the vertical.
@@ -95,42 +96,40 @@ impl Felt {
     }
 
     /// What rapier lacks, for a ball of `mass` and `radius` that is in `state` when a step of `dt` begins.
-    pub fn load(&self, state: &State, mass: f64, radius: f64, dt: f64) -> Option<Load> {
-        let mu = self.rotational()?;
-        let inertia = crate::physics::invariants::sphere_inertia(mass, radius);
-        let flat = Vec3::new(state.velocity.x, state.velocity.y, 0.0);
+    pub fn load(&self, state: &State, slides: bool, mass: f64, radius: f64, dt: f64) -> Load {
+        let Some(mu) = self.rotational() else {
+            return Load::NONE;
+        };
         let (mut acceleration, mut turn) = (Vec3::zeros(), Vec3::zeros());
-        if !self.slides(state, radius) {
-            let rates = rolling(&flat, &state.spin, radius, mu, self.gravity);
-            let most = flat.norm() / dt;
-            let share = (most / rates.acceleration.norm()).min(1.0);
-            if share.is_finite() {
-                acceleration = rates.acceleration * share;
-                turn = rolling_spin(&acceleration, radius);
-            }
+        let flat = Vec3::new(state.velocity.x, state.velocity.y, 0.0);
+        let speed = flat.norm();
+        if !slides && speed > 0.0 {
+            acceleration = rolling(&flat, &state.spin, radius, mu, self.gravity).acceleration;
+            // not more than there is
+            acceleration *= (speed / (acceleration.norm() * dt)).min(1.0);
+            turn = rolling_spin(&acceleration, lever(state, radius));
         }
-        let most = state.spin.z.abs() / dt;
-        let decay = spin_deceleration(mu.mu_spin, self.gravity, radius).min(most);
-        turn.z = -decay.copysign(state.spin.z);
-        Some(Load {
+        let decay = spin_deceleration(mu.mu_spin, self.gravity, radius);
+        turn.z = -decay.min(state.spin.z.abs() / dt).copysign(state.spin.z);
+        Load {
             force: acceleration * mass,
-            torque: turn * inertia,
-        })
+            torque: turn * sphere_inertia(mass, radius),
+        }
     }
 
-    /// Largest change of the velocity, length/s, by the cloth in a step of `dt`.
+    /// Largest mean deceleration by the cloth in a step of `dt`, length/s^2.
     ///
     /// `press`: normal impulse of the cloth in that step divided by the mass, length/s.
     pub fn most_drag(&self, press: f64, dt: f64) -> f64 {
         match self.law {
             Law::None => 0.0,
-            Law::Translational { drag } => drag * dt,
-            Law::Rotational(mu) => mu.mu_slide * press + mu.mu_roll * self.gravity * dt,
+            Law::Translational { drag } => drag,
+            Law::Rotational(mu) => mu.mu_slide * press / dt + mu.mu_roll * self.gravity,
         }
     }
 
     /// Motion after a step of `dt` in which only the cloth acts, from that in `state`.
-    pub fn coast(&self, state: &State, radius: f64, dt: f64) -> Motion {
+    pub fn coast(&self, state: &State, slides: bool, radius: f64, dt: f64) -> Motion {
         let velocity = &state.velocity;
         match self.law {
             Law::None => Motion {
@@ -149,35 +148,50 @@ impl Felt {
                     spin: state.spin,
                 }
             }
-            Law::Rotational(mu) => self.roll_on(state, radius, mu, dt),
+            Law::Rotational(mu) => self.turn_on(state, slides, radius, mu, dt),
         }
     }
 
-    /// [`Felt::coast`] of a ball that rotates: what rapier's friction and the added load would leave.
-    fn roll_on(&self, state: &State, radius: f64, mu: Coefficients, dt: f64) -> Motion {
-        let slip = slip_velocity(&state.velocity, &state.spin, radius);
-        let (mut velocity, mut spin) = (state.velocity, state.spin);
-        if let Some(load) = self.load(state, 1.0, radius, dt) {
-            velocity += load.force * dt;
-            let inertia = crate::physics::invariants::sphere_inertia(1.0, radius);
-            spin += load.torque * (dt / inertia);
-        }
-        if self.slides(state, radius) {
-            let ends = 3.5 * mu.mu_slide * self.gravity * dt >= slip.norm();
-            if ends {
-                velocity = natural_roll(&velocity, &slip);
-                let z = spin.z;
-                spin = rolling_spin(&velocity, radius);
-                spin.z = z;
-            } else {
-                let push = slip * (-mu.mu_slide * self.gravity * dt / slip.norm());
-                velocity += push;
-                let turn = 2.5 / radius;
-                spin += Vec3::new(turn * push.y, -turn * push.x, 0.0);
-            }
+    /// [`Felt::coast`] of a ball that rotates: what rapier's friction and the added load leave.
+    fn turn_on(
+        &self,
+        state: &State,
+        slides: bool,
+        radius: f64,
+        mu: Coefficients,
+        dt: f64,
+    ) -> Motion {
+        let arm = lever(state, radius);
+        let load = self.load(state, slides, 1.0, radius, dt);
+        let mut velocity = state.velocity + load.force * dt;
+        let mut spin = state.spin + load.torque * (dt / sphere_inertia(1.0, radius));
+        if slides {
+            let slip = slip_velocity(&velocity, &spin, arm);
+            // what friction can take, or what ends the slip
+            let most = mu.mu_slide * self.gravity * dt / slip.norm();
+            let needed = 1.0 / (1.0 + 2.5 * (arm / radius).powi(2));
+            let push = slip * -most.min(needed);
+            velocity += push;
+            let turn = 2.5 * arm / (radius * radius);
+            spin += Vec3::new(turn * push.y, -turn * push.x, 0.0);
         }
         Motion { velocity, spin }
     }
+}
+
+/// Distance from the centre to the point at which rapier lets friction act on a ball, length.
+///
+/// That point is halfway between the cloth and the lowest point of the ball. The cloth is a soft constraint, so that a ball lies
+/// `g / (2 pi f)^2` deep in it, `f` the knob `static_contact_natural_frequency`, whatever the step: it rolls on a lever that is
+/// shorter by half of that than its radius. Slip is what rapier holds at zero, so it is taken at this point.
+pub(super) fn lever(state: &State, radius: f64) -> f64 {
+    0.5 * (radius + state.position.z.min(radius))
+}
+
+/// True when a ball is clear of the cloth.
+pub(super) fn is_aloft(state: &State, radius: f64) -> bool {
+    // a position in f32 rounds by 1e-7 at most
+    state.position.z > radius * (1.0 + 1e-6)
 }
 
 /// Slip speed, and surface speed by spin about the vertical, at or below which there is none, length/s: the speed below which a

@@ -15,12 +15,14 @@
 //! equal balls at e = 1). A stop within a step leaves at most a dt^2, a the deceleration. So `unexplained` stays below
 //! v dt (1 + 1/(2 substeps)), v the largest speed, as long as no ball moves farther in a step than contacts are predicted.
 //! A faster one is found inside what it hit, and pushing it out moves it without a velocity by at most the v dt that it went
-//! in. A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
+//! in. Under a cloth that turns balls, a ball that rolls fast is pressed by the cloth in some substeps only, so that its vertical
+//! velocity at the end of a step is anything up to g dt with a mean of zero: g dt times the time between two records more.
+//! A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
 //!
 //! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
 //! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
 
-use super::cloth::{Felt, top_speed};
+use super::cloth::{Felt, Load, is_aloft, lever, top_speed};
 use super::interface::{Other, Push};
 use super::run::rest_speed;
 use crate::math::Vec3;
@@ -67,7 +69,9 @@ pub(super) struct Journal<'a> {
     moving: Vec<bool>,
     sliding: Vec<bool>,
     spinning: Vec<bool>,
+    aloft: Vec<bool>,
     in_play: Vec<bool>,
+    left: Vec<usize>,
     balls: Vec<BallStep>,
     exchanges: u64,
     contacts: u64,
@@ -122,7 +126,9 @@ impl<'a> Journal<'a> {
             moving: initial.iter().map(|s| s.speed() > rest_speed).collect(),
             sliding: states_that(&|state, radius| turns && felt.slides(state, radius)),
             spinning: states_that(&|state, radius| turns && felt.spins(state, radius)),
+            aloft: vec![false; initial.len()],
             in_play: vec![true; initial.len()],
+            left: Vec::new(),
             balls: vec![BallStep::default(); initial.len()],
             exchanges: 0,
             contacts: 0,
@@ -139,14 +145,29 @@ impl<'a> Journal<'a> {
         states.iter().enumerate().all(rests)
     }
 
-    /// Whether a ball has not been pocketed.
-    pub fn in_play(&self, ball: usize) -> bool {
-        self.in_play[ball]
+    /// The balls that left play in the last step.
+    pub fn left(&self) -> &[usize] {
+        &self.left
+    }
+
+    /// What acts on a ball besides rapier's own forces in a step of `dt` that begins in `state`.
+    pub fn load(&self, ball: usize, state: &State, dt: f64) -> Load {
+        if self.aloft[ball] || !self.in_play[ball] {
+            return Load::NONE;
+        }
+        let body = &self.scene.balls[ball];
+        let slides = self.sliding[ball];
+        self.felt.load(state, slides, body.mass, body.radius, dt)
+    }
+
+    /// True when the scene has a cloth that does what rapier lacks.
+    pub fn loads(&self) -> bool {
+        self.felt.rotational().is_some()
     }
 
     /// Writes one step. `before` and `after` are in scene order; `pushes` is reordered and loses what is only rounding.
     ///
-    /// `presses`: normal impulse of the cloth on every ball in the step, mass * length/s.
+    /// `presses`: normal impulse of the cloth on every ball in the step, mass * length/s; read only where [`Journal::loads`].
     pub fn step(
         &mut self,
         span: Span,
@@ -175,6 +196,7 @@ impl<'a> Journal<'a> {
         self.pockets(span, before, after);
         self.phases(span, before, after);
         self.stops(span, before, after);
+        self.hops(span, before, after);
         self.steps += 1;
         // the cadence is a multiple of the step as written, not as rounded
         let rounding = 1e-6 * (span.end - span.start);
@@ -236,7 +258,7 @@ impl<'a> Journal<'a> {
             let mass = self.scene.balls[index].mass;
             let left = change - ball.impulse / mass;
             // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy; the impulses are normal
-            let cloth = self.felt.most_drag(presses[index] / mass, dt);
+            let cloth = self.felt.most_drag(presses[index] / mass, dt) * dt;
             let rubbed = self.rub * ball.pressed / mass;
             if left.xy().norm() > 1.001 * cloth + rubbed + self.noise {
                 self.unattributed += 1;
@@ -321,11 +343,16 @@ impl<'a> Journal<'a> {
                 self.recorder.pin(ball, span.start, &before[ball]);
                 let radius = self.scene.balls[ball].radius;
                 let dt = span.end - span.start;
-                let mut coasting = self.felt.coast(&before[ball], radius, dt);
-                coasting.velocity.z = after[ball].velocity.z;
+                let slides = self.sliding[ball];
+                let mut coasting = self.felt.coast(&before[ball], slides, radius, dt);
+                // gravity settles a ball within a step; only friction of another ball makes it hop
+                if self.rub == 0.0 {
+                    coasting.velocity.z = after[ball].velocity.z;
+                }
                 coasting
             }
         };
+        self.balls[ball].motion = Some(Motion { velocity, spin });
         State {
             velocity,
             spin,
@@ -335,6 +362,7 @@ impl<'a> Journal<'a> {
 
     /// Writes the balls that left play in a step, and books the energy that they took along.
     fn pockets(&mut self, span: Span, before: &[State], after: &[State]) {
+        self.left.clear();
         let Some(pockets) = &self.scene.effects.pockets else {
             return;
         };
@@ -349,6 +377,7 @@ impl<'a> Journal<'a> {
             };
             if let Some(pocket) = pockets.circles.iter().position(enters) {
                 self.in_play[ball] = false;
+                self.left.push(ball);
                 let near = self.near(span, before, after, ball);
                 self.recorder.pocket(ball, span.end, &near, pocket as u32);
                 let mass = self.scene.balls[ball].mass;
@@ -368,7 +397,7 @@ impl<'a> Journal<'a> {
                 continue;
             }
             let radius = self.scene.balls[ball].radius;
-            let slides = self.felt.slides(&after[ball], radius);
+            let slides = self.felt.slides(&after[ball], lever(&before[ball], radius));
             let spins = self.felt.spins(&after[ball], radius);
             let ended = [
                 (
@@ -382,9 +411,8 @@ impl<'a> Journal<'a> {
             ];
             for (_, kind) in ended.into_iter().filter(|(ended, _)| *ended) {
                 let near = self.near(span, before, after, ball);
-                let event = self.recorder.event(span.end, kind, None);
                 self.recorder
-                    .jump(ball, span.end, &near, &after[ball], event);
+                    .phase(ball, span.end, &near, &after[ball], kind);
                 self.balls[ball].motion = Some(Motion {
                     velocity: after[ball].velocity,
                     spin: after[ball].spin,
@@ -408,6 +436,28 @@ impl<'a> Journal<'a> {
                 let near = self.near(span, before, after, ball);
                 self.recorder.stop(ball, span.end, &near, &after[ball]);
             }
+        }
+    }
+
+    /// Pins the steps in which a ball hops off its cloth, and those in which the cloth stops its fall; neither is an event.
+    ///
+    /// Friction of another ball lifts a ball. A ball that rolls fast falls for a few steps when the run begins, until it lies so
+    /// deep that its turning points of contact still touch.
+    fn hops(&mut self, span: Span, before: &[State], after: &[State]) {
+        if self.felt.rotational().is_none() {
+            return;
+        }
+        let chatter = 2.0 * self.scene.gravity * (span.end - span.start);
+        for ball in 0..after.len() {
+            let aloft = is_aloft(&after[ball], self.scene.balls[ball].radius);
+            let jump = (after[ball].velocity.z - before[ball].velocity.z).abs();
+            if self.in_play[ball] && (aloft != self.aloft[ball] || jump > chatter) {
+                if self.balls[ball].motion.is_none() {
+                    self.recorder.pin(ball, span.start, &before[ball]);
+                }
+                self.recorder.pin(ball, span.end, &after[ball]);
+            }
+            self.aloft[ball] = aloft;
         }
     }
 
@@ -495,7 +545,7 @@ impl<'a> Journal<'a> {
                 if ball.group == group {
                     let mass = self.scene.balls[index].mass;
                     change += (after[index].velocity - before[index].velocity) * mass;
-                    allowed += self.felt.most_drag(presses[index] / mass, dt) * mass;
+                    allowed += self.felt.most_drag(presses[index] / mass, dt) * mass * dt;
                     cushion |= ball.cushion;
                 }
             }

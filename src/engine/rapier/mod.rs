@@ -76,7 +76,13 @@ impl Rapier {
         let sizes = scene.balls.iter().flat_map(|b| [b.radius, b.mass]);
         let sizes_fit = sizes.into_iter().all(|x| (least..=most).contains(&x));
         let speed = scene.largest_speed();
-        sizes_fit && speed <= most && scene.largest_coordinate() <= most && scene.gravity <= most
+        let mut spins = scene.balls.iter().map(|ball| ball.state.spin.amax());
+        let spins_fit = spins.all(|spin| spin <= most);
+        sizes_fit
+            && spins_fit
+            && speed <= most
+            && scene.largest_coordinate() <= most
+            && scene.gravity <= most
     }
 }
 
@@ -93,8 +99,10 @@ impl Engine for Rapier {
         About {
             method: "Fixed steps of the rapier physics engine: contacts are predicted once a step, a sequential-impulse \
                      solver moves the balls in substeps, and restitution acts once at the end of the step.",
-            shares: "With stepper and exact nothing but the scene: cloth, contacts and cushions are rapier's own solver. The \
-                     two rapier engines are one source in two precisions.",
+            shares: "With stepper and exact nothing but the scene: sliding, contacts and cushions are rapier's own solver. What \
+                     rapier lacks uses rates and coefficients of the workbench: rolling resistance and spin-down (as stepper), \
+                     friction between balls that depends on their slip speed, and who is in a pocket (as all). The two rapier \
+                     engines are one source in two precisions.",
         }
     }
 

@@ -1,6 +1,5 @@
 //! The stepping loop, the same for both precisions.
 
-use super::cloth::{Felt, Load};
 use super::interface::World;
 use super::journal::{Journal, Span};
 use super::settings::Settings;
@@ -40,8 +39,7 @@ impl<W: World> Run for Simulation<'_, W> {
         self.world.read(&mut before);
         let mut after = before.clone();
         let mut pushes = Vec::new();
-        let mut presses = Vec::new();
-        let felt = Felt::new(self.scene, W::ULP);
+        let mut presses = vec![0.0; before.len()];
         let provenance = self.provenance();
         let mut journal = Journal::new(self.scene, provenance, record, &before, W::ULP);
         let mut step = 0;
@@ -57,19 +55,23 @@ impl<W: World> Run for Simulation<'_, W> {
             }
             let span = clock.span(step);
             let dt = clock.length(step);
-            self.load(&felt, &before, &presses, dt);
+            if journal.loads() {
+                for (ball, state) in before.iter().enumerate() {
+                    self.world.load(ball, &journal.load(ball, state, dt));
+                }
+            }
             self.world.step(dt);
             self.world.read(&mut after);
             if let Some(spot) = self.broken(&after, span.end) {
                 break Ending::NotFinite(spot);
             }
             self.world.pushes(&mut pushes);
-            self.world.presses(&mut presses);
+            if journal.loads() {
+                self.world.presses(&mut presses);
+            }
             journal.step(span, &before, &after, &mut pushes, &presses);
-            for ball in 0..after.len() {
-                if !journal.in_play(ball) {
-                    self.world.remove(ball);
-                }
+            for ball in journal.left() {
+                self.world.remove(*ball);
             }
             std::mem::swap(&mut before, &mut after);
             step += 1;
@@ -80,19 +82,6 @@ impl<W: World> Run for Simulation<'_, W> {
 }
 
 impl<W: World> Simulation<'_, W> {
-    /// Sets what the cloth does to each ball besides rapier's friction in the step that begins in `states`.
-    ///
-    /// `presses`: of the last step, empty before the first. A ball that the cloth did not press then is in the air.
-    fn load(&mut self, felt: &Felt, states: &[State], presses: &[f64], dt: f64) {
-        for (index, (state, ball)) in states.iter().zip(&self.scene.balls).enumerate() {
-            if let Some(load) = felt.load(state, ball.mass, ball.radius, dt) {
-                let pressed = presses.get(index).is_none_or(|press| *press > 0.0);
-                let load = if pressed { load } else { Load::NONE };
-                self.world.load(index, &load);
-            }
-        }
-    }
-
     fn provenance(&self) -> Provenance {
         Provenance {
             engine: self.engine.to_owned(),
@@ -216,7 +205,7 @@ mod tests {
         fn pushes(&self, pushes: &mut Vec<Push>) {
             pushes.clear();
         }
-        fn load(&mut self, _ball: usize, _load: &Load) {}
+        fn load(&mut self, _ball: usize, _load: &crate::engine::rapier::cloth::Load) {}
         fn remove(&mut self, _ball: usize) {}
         fn presses(&self, presses: &mut Vec<f64>) {
             *presses = vec![0.0];

@@ -3,7 +3,8 @@
 //! Balls are dynamic bodies with one ball collider each. The cloth is a half-space below them with the scene's friction,
 //! and gravity presses them onto it, so that rapier itself supplies the law of friction; a scene without a cloth has
 //! neither, and nothing moves its balls off the plane. A cushion is a vertical half-space at the edge of the table. Balls
-//! do not rotate where the scene does not call for it.
+//! do not rotate where the scene does not call for it. Friction between balls that depends on their slip speed is the one
+//! thing that rapier asks for before each step; loads from outside are set by the stepping loop.
 
 use super::rapier::dynamics::{
     CoefficientCombineRule, FrictionModel, IntegrationParameters, LockedAxes, RigidBodyBuilder,
