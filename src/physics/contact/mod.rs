@@ -1,5 +1,5 @@
 //! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, see
-//! [`friction`](super::friction).
+//! the module of that name.
 
 pub mod elastic;
 pub mod inelastic;
