@@ -155,7 +155,10 @@ fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solu
     if ours.events.len() != theirs.events.len() || ours.ending.id() != theirs.ending.id() {
         return Limit::Order;
     }
-    let apart = run.positions.iter().zip(&witness.positions).map(|(p, q)| {
+    let pairs = run.positions.iter().zip(&witness.positions).enumerate();
+    // a ball that fell in both is nowhere in both
+    let in_play = pairs.filter(|(ball, _)| !(ours.pocketed(*ball) && theirs.pocketed(*ball)));
+    let apart = in_play.map(|(_, (p, q))| {
         let [x, y] = [0, 1].map(|i| (p[i].widen::<W>() - q[i]).to_f64());
         x.hypot(y) / scene.smallest_radius()
     });
