@@ -26,7 +26,7 @@ const PROBES: usize = 16;
 const DEVIATIONS: f64 = 4.0;
 
 /// Seed of the signs; any number would do.
-const SEED: u64 = 0x0063_6172_6f6d;
+const SEED: u64 = 7;
 
 /// Roundings of a velocity in one impact, relative.
 const SPEED_ROUNDINGS: f64 = 2.0;

@@ -70,10 +70,12 @@ impl<T: Real> Loop<'_, T> {
                 "they are pressed together without closing in: impacts follow each other without end",
             )));
         }
-        let friction = self.solver.world.friction;
         let (first, second) = (self.body(&one), self.body(&other));
-        let motions = collide((law, friction), &first, &second, &n, &mut one, &mut other);
-        self.turn(&[(a, motions.0), (b, motions.1)]);
+        if self.solver.spins.is_empty() {
+            collide(law, None, &first, &second, &n, &mut one, &mut other);
+        } else {
+            self.collide_turning(law, &first, &second, &n, [&mut one, &mut other]);
+        }
         if !finite(&one) || !finite(&other) {
             return Some(Ending::NotFinite(
                 self.spot(&[a, b], "the impact left no finite velocity"),
@@ -101,7 +103,10 @@ impl<T: Real> Loop<'_, T> {
         let law = self.solver.world.cushion?;
         let mut one = self.arrival(a);
         let motion = bounce(law, &self.body(&one), side, &mut one);
-        self.turn(&[(a, motion)]);
+        if !self.solver.spins.is_empty() {
+            self.turned.clear();
+            self.turn(a, &motion);
+        }
         if !finite(&one) {
             return Some(Ending::NotFinite(
                 self.spot(&[a], "the cushion left no finite velocity"),
@@ -178,25 +183,39 @@ impl<T: Real> Loop<'_, T> {
         );
     }
 
-    /// Keeps how the balls of an impact turn, in a scene that calls for rotation.
-    #[inline]
-    fn turn(&mut self, motions: &[(usize, Motion<T>)]) {
-        if self.solver.spins.is_empty() {
-            return;
-        }
+    /// Applies the law of an impact of two balls that turn, and keeps how they do.
+    #[cold]
+    fn collide_turning(
+        &mut self,
+        law: Contact<T>,
+        a: &Body<T>,
+        b: &Body<T>,
+        n: &Vector3<T>,
+        [one, other]: [&mut Party<T>; 2],
+    ) {
+        let (motion, reaction) = collide(law, self.solver.world.friction, a, b, n, one, other);
         self.turned.clear();
-        for (ball, motion) in motions {
-            self.turned.push(Turned {
-                ball: *ball,
-                spin: self.solver.spins[*ball],
-                before: self.solver.spin_at(*ball, self.now),
-                after: motion.spin.into(),
-            });
-        }
+        self.turn(one.ball, &motion);
+        self.turn(other.ball, &reaction);
+    }
+
+    /// Keeps how a ball of the impact at hand turns.
+    #[cold]
+    fn turn(&mut self, ball: usize, motion: &Motion<T>) {
+        self.turned.push(Turned {
+            ball,
+            spin: self.solver.spins[ball],
+            before: self.solver.spin_at(ball, self.now),
+            after: motion.spin.into(),
+        });
     }
 
     /// Angular velocity of a ball on both sides of the impact at hand.
+    #[inline]
     pub fn spins_of(&self, ball: usize) -> [[T; 3]; 2] {
+        if self.solver.spins.is_empty() {
+            return [[T::zero(); 3]; 2];
+        }
         match self.turned.iter().find(|turned| turned.ball == ball) {
             Some(turned) => [turned.before, turned.after],
             None => [self.solver.spin_at(ball, self.now); 2],
@@ -211,9 +230,10 @@ impl<T: Real> Loop<'_, T> {
 }
 
 /// Applies the law of an impact of two balls.
-#[inline(never)]
+#[inline(always)]
 fn collide<T: Real>(
-    (law, friction): (Contact<T>, Option<Friction<T>>),
+    law: Contact<T>,
+    friction: Option<Friction<T>>,
     a: &Body<T>,
     b: &Body<T>,
     n: &Vector3<T>,

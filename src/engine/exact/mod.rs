@@ -212,10 +212,10 @@ impl Engine for Exact {
         let world = World::<f64>::new(scene);
         match (world.ground, &world.rotation) {
             // d/dt sqrt(E) is at most -mu g sqrt(m/2) with the lightest mass while anything moves
-            (Ground::Coulomb(deceleration), None) => {
-                if world.fastest / deceleration <= scene.duration {
-                    promised.push(Invariant::EverythingStops);
-                }
+            (Ground::Coulomb(deceleration), None)
+                if world.fastest / deceleration <= scene.duration =>
+            {
+                promised.push(Invariant::EverythingStops);
             }
             (Ground::Frictionless, None) if !lossy && world.pockets.is_empty() => {
                 promised.push(Invariant::TimeReversal);

@@ -135,10 +135,21 @@ impl<T: Real> View<'_, T> {
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
     ) {
-        let Some(reach) = self.world.reach.get(ball) else {
+        let Some([x0, x1, y0, y1]) = self.world.within_all_reach else {
             return;
         };
         let flight = &self.flights[ball];
+        let blur = &self.world.blur;
+        // mostly no cushion is within what is left of the way to the best so far
+        let way = flight.fastest * (later(best.time) - flight.start) + blur.length * T::lift(4.0);
+        let way = notes.watch.map_or(way, |watch| way.at_least(watch));
+        let [x, y] = flight.position;
+        if x - x0 > way && x1 - x > way && y - y0 > way && y1 - y > way {
+            return;
+        }
+        let Some(reach) = self.world.reach.get(ball) else {
+            return;
+        };
         for side in Side::ALL {
             let axis = side.axis();
             let outward = |x: T| if side.sign() < 0 { -x } else { x };
@@ -155,14 +166,8 @@ impl<T: Real> View<'_, T> {
             {
                 continue;
             }
-            let blur = &self.world.blur;
-            let limit = later(best.time) - flight.start;
-            // too far away for the time that is left
-            let most = speed + acceleration.at_least(T::zero()) * limit;
-            if gap > most * limit + blur.length * T::lift(4.0) {
-                continue;
-            }
             notes.root_calls += 1;
+            let limit = later(best.time) - flight.start;
             let found = first_crossing(gap, speed, acceleration, limit, blur);
             // x before y in a corner; a cushion before the end of a phase
             best.or(flight.start, 0, found, || {

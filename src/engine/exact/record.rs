@@ -98,11 +98,15 @@ impl<T: Real> Loop<'_, T> {
     /// Change of a ball's kinetic energy.
     fn gain(&self, side: &Party<T>) -> f64 {
         let mass = self.solver.scene.balls[side.ball].mass;
+        if self.solver.spins.is_empty() {
+            let energy = |velocity: [T; 2]| {
+                let [x, y] = velocity.map(T::to_f64);
+                0.5 * mass * (x * x + y * y)
+            };
+            return energy(side.after) - energy(side.before);
+        }
         let (before, after) = self.both(side);
-        let inertia = match self.solver.world.rotation {
-            None => None,
-            Some(_) => self.solver.scene.inertia(side.ball),
-        };
+        let inertia = self.solver.scene.inertia(side.ball);
         kinetic_energy(&after, mass, inertia) - kinetic_energy(&before, mass, inertia)
     }
 

@@ -20,6 +20,8 @@ pub struct World<T> {
     pub mass: Vec<T>,
     /// Where a centre may be: for each ball the limits at x0, x1, y0, y1. Empty without cushions.
     pub reach: Vec<[T; 4]>,
+    /// Where the centre of every ball may be: the same limits for the largest. `None` without cushions.
+    pub within_all_reach: Option<[T; 4]>,
     /// The cloth under balls that do not turn.
     pub ground: Ground<T>,
     /// The cloth under balls that do; `None` in a scene that does not call for rotation.
@@ -84,7 +86,9 @@ impl<T: Real> World<T> {
         } else {
             scene.largest_coordinate() + travel
         };
+        let largest = radius.iter().copied().fold(T::zero(), T::at_least);
         World {
+            within_all_reach: reach(largest).filter(|_| bounded),
             mass: scene.balls.iter().map(|b| lift(b.mass)).collect(),
             reach: if bounded {
                 radius.iter().filter_map(|r| reach(*r)).collect()

@@ -6,6 +6,7 @@
 mod causes;
 mod figures;
 mod page;
+mod tables;
 mod words;
 
 pub use causes::Cause;
