@@ -38,6 +38,10 @@ pub enum Command {
     /// Without --aim, --speed and --gap: aim 0.1, speed 0.01 and gap 1e-2, or 1e-5 where balls touch, as far as the scene has a
     /// ball that moves or rests; gaps alone where the scene says `simultaneous = "ensemble"`. What is given varies alone.
     Ensemble(EnsembleArguments),
+    /// Say which effects a shot needs and what leaving each out would cost; or draw the curves of the impact laws.
+    ///
+    /// Runs the scene without each of its effects, with each alone on the bare model, and along the scenes that `richer` links with it.
+    Effects(EffectsArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -163,6 +167,30 @@ pub struct HorizonArguments {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom effects`.
+#[derive(Debug, Args)]
+pub struct EffectsArguments {
+    /// A scene of the catalogue, or a scene file.
+    #[arg(required_unless_present = "curves")]
+    pub scene: Option<String>,
+    /// Instead of a scene: throw, squirt and rebound against published curves.
+    #[arg(long, conflicts_with_all = ["scene", "threshold"])]
+    pub curves: bool,
+    /// Engines with optional settings, as in `carom compare`; the exact engine always runs, and the first that reaches the end of the
+    /// whole scene is what all else is held against.
+    #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
+    pub engines: String,
+    /// A shot needs an effect when leaving it out moves a ball by more than this.
+    #[arg(long, value_name = "R", default_value_t = 0.1)]
+    pub threshold: f64,
+    /// Folder for the page with its pictures.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }

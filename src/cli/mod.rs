@@ -4,6 +4,7 @@
 
 mod arguments;
 mod compare;
+mod effects;
 mod engines;
 mod ensemble;
 mod horizon;
@@ -82,6 +83,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Compare(arguments)) => compare::compare(&arguments),
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
+        Some(Command::Effects(arguments)) => effects::effects(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

@@ -79,7 +79,7 @@ fn summary(trace: &Trace, scene: &str, length: &str, time: &str) -> Document {
     Document {
         id: "run".to_owned(),
         title: format!("{} in {}", trace.provenance.scene, trace.provenance.engine),
-        lead: format!("{} {} events.", describe_ending(trace), trace.events.len()),
+        lead: format!("{}; {} events.", describe_ending(trace), trace.events.len()),
         blocks: vec![Block::Text(scene.to_owned()), Block::Table(table)],
         pages: Vec::new(),
     }

@@ -70,7 +70,8 @@ impl<'a> Comparison<'a> {
     }
 }
 
-fn common_end(a: &Trace, b: &Trace) -> f64 {
+/// Latest time at which both traces say where the balls are, s; infinite when both ended at rest.
+pub fn common_end(a: &Trace, b: &Trace) -> f64 {
     let end = |trace: &Trace| match trace.ending {
         Ending::Rest => f64::INFINITY,
         _ => trace.end_time,

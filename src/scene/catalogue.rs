@@ -34,7 +34,8 @@ macro_rules! entries {
     };
 }
 
-/// Every scene, in the order in which reports list them: the report's shot, single laws, several balls, known answers.
+/// Every scene, in the order in which reports list them: the report's shot, single laws, several balls, known answers,
+/// then the shots that call for rotation, one at a time, the effect ladder and real breaks.
 pub fn all() -> &'static [Entry] {
     entries![
         "report-break",
@@ -57,6 +58,24 @@ pub fn all() -> &'static [Entry] {
         "six-balls",
         "break-36-events",
         "discs-in-a-box",
+        "draw",
+        "stun",
+        "follow",
+        "side",
+        "curve",
+        "throw",
+        "bank",
+        "bank-side",
+        "ladder-report",
+        "ladder-rotation",
+        "ladder-rolling",
+        "ladder-losses",
+        "ladder-throw",
+        "ladder-cushions",
+        "ladder-pockets",
+        "pool-break",
+        "report-break-real",
+        "report-break-pressed",
     ]
 }
 

@@ -2,6 +2,8 @@
 
 pub mod claims;
 pub mod compare;
+pub mod curves;
+pub mod effects;
 pub mod ensemble;
 pub mod horizon;
 pub mod matrix;

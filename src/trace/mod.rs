@@ -181,7 +181,8 @@ impl Trace {
                 .filter(|last| first.is_none_or(|first| *last != first)),
             );
         }
-        self.events.clear();
+        self.events
+            .retain(|event| matches!(event.kind, EventKind::Pocket(..)));
         self.certainty.clear();
     }
 

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// How much of a run is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Record {
-    /// First and last states, stop times, extrema and counters; no events.
+    /// First and last states, stop times, extrema and counters; of the events only those in which a ball left play.
     Final,
     /// Also every event with both its sides.
     Events,
@@ -80,7 +80,8 @@ impl Recorder {
     pub fn event(&mut self, time: f64, kind: EventKind, exchanges: Option<u64>) -> u32 {
         let index = self.event_count;
         self.event_count += 1;
-        if self.record != Record::Final {
+        let kept = self.record != Record::Final || matches!(kind, EventKind::Pocket(..));
+        if kept {
             self.events.push(Event {
                 time,
                 kind,
@@ -92,6 +93,9 @@ impl Recorder {
 
     /// Sets the number of exchanges of an event, once its contact episode has seen another.
     pub fn set_exchanges(&mut self, event: u32, exchanges: u64) {
+        if self.record == Record::Final {
+            return;
+        }
         if let Some(event) = self.events.get_mut(event as usize) {
             event.exchanges = Some(exchanges);
         }
@@ -125,6 +129,22 @@ impl Recorder {
         });
     }
 
+    /// A ball began to roll or lost its spin: adds the event and both its sides. Whether the centre rests is not touched.
+    pub fn phase(
+        &mut self,
+        ball: usize,
+        time: f64,
+        before: &State,
+        after: &State,
+        kind: EventKind,
+    ) -> u32 {
+        let event = self.event(time, kind, None);
+        let stop_time = self.stop_times[ball];
+        self.jump(ball, time, before, after, event);
+        self.stop_times[ball] = stop_time;
+        event
+    }
+
     /// The centre of a ball came to rest: adds the `stop` event, both sides, and the stop time.
     pub fn stop(&mut self, ball: usize, time: f64, before: &State, after: &State) -> u32 {
         let event = self.event(time, EventKind::Stop(ball as u32), None);
@@ -133,14 +153,16 @@ impl Recorder {
         event
     }
 
-    /// A ball left play: adds the `pocket` event and the end of its path. Its later states are not looked at.
-    pub fn pocket(&mut self, ball: usize, time: f64, state: &State, pocket: usize) {
-        let event = self.event(time, EventKind::Pocket(ball as u32, pocket as u32), None);
+    /// A ball left play in `state`: adds the `pocket` event and ends the path there.
+    pub fn pocket(&mut self, ball: usize, time: f64, state: &State, pocket: u32) -> u32 {
+        let event = self.event(time, EventKind::Pocket(ball as u32, pocket), None);
+        self.jump(ball, time, state, state, event);
         if self.record == Record::Final {
             add_knot(&mut self.paths[ball], time, state);
         }
-        self.jump(ball, time, state, state, event);
+        self.stop_times[ball] = None;
         self.pocketed[ball] = true;
+        event
     }
 
     /// True when a cadence sample is due at `time`.
@@ -206,7 +228,6 @@ impl Recorder {
     ) -> Trace {
         for (ball, state) in states.iter().enumerate() {
             if self.pocketed[ball] {
-                self.stop_times[ball] = None;
                 continue;
             }
             add_knot(&mut self.paths[ball], time, state);

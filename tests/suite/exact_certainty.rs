@@ -96,17 +96,17 @@ fn derivatives_of_final_positions_are_those_of_perturbed_pairs() {
                 .flatten()
                 .fold(0.0_f64, |most, d| most.max(d.abs()));
             for (ball, d) in derivative.iter().enumerate() {
-                for axis in 0..2 {
+                for (axis, d) in d.iter().enumerate() {
                     let moved = after.positions[ball][axis] - before.positions[ball][axis];
                     let quotient = moved.to_f64() / by;
-                    let error = (quotient - d[axis]).abs();
+                    let error = (quotient - d).abs();
                     assert!(
-                        error <= 0.01 * d[axis].abs() + 1e-4 * largest,
+                        error <= 0.01 * d.abs() + 1e-4 * largest,
                         "{name}, {}, ball {ball}: {} instead of {quotient}",
                         input.name(),
-                        d[axis]
+                        d
                     );
-                    compared += usize::from(d[axis].abs() > 1e-3 * largest);
+                    compared += usize::from(d.abs() > 1e-3 * largest);
                 }
             }
         }

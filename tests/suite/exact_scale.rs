@@ -1,10 +1,14 @@
 //! Engine `exact` with many balls: cells change what a run costs and nothing else.
 
 use crate::support::{MU, R, run, scenario};
+use carom::engine::{self, Limits, Setting};
+use carom::math::first_root::{Approach, Blur, Contact, first_contact, first_contact_by};
 use carom::math::random::Draws;
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Scene, Simultaneous, catalogue, parse};
-use carom::trace::{Record, Trace};
+use carom::trace::{Ending, EventKind, Record, Trace};
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// A generated scene, changed.
 struct Discs {
@@ -215,4 +219,121 @@ fn touching_balls_are_found_through_cells() {
         }
         assert!(outcome(all) == outcome(cells), "exact, {simultaneous:?}");
     }
+}
+
+/// Work and memory of a whole run up to a number of events: most bytes at one time, and counters.
+fn consumption(balls: usize, events: u64) -> (f64, BTreeMap<String, u64>) {
+    let scene = Discs::new(balls, 0.3, 41, 1e3).scene();
+    let engine = engine::find("exact").unwrap();
+    let limits = Limits {
+        max_events: events,
+        ..Limits::NONE
+    };
+    let mut counters = BTreeMap::new();
+    let used = allocation_counter::measure(|| {
+        let run = engine::prepare(engine, &scene, &Setting::default()).unwrap();
+        counters = run.simulate(Record::Final, &limits).counters;
+    });
+    (used.bytes_max as f64, counters)
+}
+
+#[test]
+fn memory_grows_linearly_with_the_balls_and_work_for_an_event_not_at_all() {
+    // sizes whose trees and lists are as full as each other: a power of two apart
+    let (small, large) = (2_000, 8_000);
+    let (bytes, counters) = consumption(small, 4_000);
+    let (more_bytes, more_counters) = consumption(large, 16_000);
+    assert_eq!(counters["events"], 4_000);
+    assert_eq!(more_counters["events"], 16_000);
+    // lists whose length is a square root, such as those of the edge of the box, grow less; nothing grows more
+    let ratio = more_bytes / bytes;
+    assert!(
+        ratio <= 4.1,
+        "{bytes} bytes for {small}, {more_bytes} for {large}"
+    );
+    // below is nothing that could be hidden: states, flights and candidates of every ball are 300 bytes at least
+    assert!(bytes >= 300.0 * small as f64, "{bytes}");
+    // four times the events; 0.055 of the small box is within a contact of a cushion, 8 sqrt(0.3 / pi / N), where work differs
+    for name in ["root_calls", "cell_crossings"] {
+        let ratio = more_counters[name] as f64 / counters[name] as f64;
+        assert!((ratio / 4.0 - 1.0).abs() <= 0.055, "{name}: {ratio}");
+    }
+}
+
+/// Collisions of a gas of discs for each disc and second, by Enskog with the contact value of Henderson (1975, Mol. Phys. 30,
+/// 971): `sqrt(pi) n D g sqrt(k T / m)`, `g = (1 - 7 eta / 16) / (1 - eta)^2`. Radius 1, root mean square of the speeds 1;
+/// `area`: of the box, for each disc.
+fn enskog_rate(area: f64) -> f64 {
+    let eta = PI / area;
+    let at_contact = (1.0 - 7.0 * eta / 16.0) / (1.0 - eta).powi(2);
+    // two degrees of freedom share the mean square
+    PI.sqrt() / area * 2.0 * at_contact * 0.5_f64.sqrt()
+}
+
+#[test]
+fn a_gas_of_discs_collides_as_often_as_enskog_says() {
+    let (balls, density, from, to) = (4_000, 0.3, 5.0, 15.0);
+    let scene = Discs::new(balls, density, 51, to).scene();
+    let trace = run("exact", &[], &scene, Record::Events);
+    assert_eq!(trace.ending, Ending::Duration);
+    // the lattice is forgotten after a few collisions of every disc
+    let hits = trace
+        .events
+        .iter()
+        .filter(|event| matches!(event.kind, EventKind::BallBall(..)) && event.time >= from);
+    let hits = hits.count() as f64;
+    let rate = hits / (balls as f64 * (to - from));
+    let area = PI / density;
+    let expected = enskog_rate(area);
+    // centres have a box that is a diameter smaller; the truth lies between both
+    let side = (area * balls as f64).sqrt();
+    let edge = enskog_rate((side - 2.0).powi(2) / balls as f64) / expected - 1.0;
+    let chance = 3.0 / hits.sqrt();
+    assert!(
+        (rate / expected - 1.0).abs() <= edge + chance,
+        "exact, {balls} discs: {rate} collisions a disc and second, Enskog {expected}, edge {edge}, chance {chance}"
+    );
+}
+
+#[test]
+fn a_search_that_may_give_up_finds_the_same_contact_to_the_bit() {
+    let blur = Blur {
+        length: 1e-14,
+        speed: 1e-14,
+    };
+    let (end, mut kept, mut given_up) = (4.0, 0, 0);
+    for index in 0..20_000 {
+        let mut draws = Draws::new(61, index);
+        let mut vector = |size: f64| {
+            let (x, y) = draws.in_disc(size);
+            [x, y]
+        };
+        let approach = Approach {
+            p: vector(8.0),
+            v: vector(4.0),
+            a: vector(2.0),
+            distance: 1.0,
+        };
+        let found = first_contact(&approach, end, &blur);
+        let (Contact::At(time) | Contact::Unclear(time)) = found else {
+            continue;
+        };
+        // a few ulps later is what the finder asks for
+        for limit in [time + 1e-14, 1.1 * time, 0.5 * (time + end), end] {
+            let limit = limit.min(end);
+            assert_eq!(
+                first_contact_by(&approach, end, limit, &blur),
+                found,
+                "{approach:?}"
+            );
+            kept += 1;
+        }
+        if first_contact_by(&approach, end, 0.5 * time, &blur) == Contact::Never {
+            given_up += 1;
+        }
+    }
+    assert!(
+        kept > 4_000 && given_up > 1_000,
+        "{kept} kept, {given_up} given up"
+    );
 }

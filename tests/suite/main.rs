@@ -9,6 +9,7 @@ mod contract;
 mod ensemble;
 mod exact;
 mod exact_certainty;
+mod exact_effects;
 mod exact_endings;
 mod exact_laws;
 mod exact_reflections;

@@ -12,7 +12,7 @@ use crate::math::first_root::{Blur, Contact, first_crossing};
 use crate::math::grid::Grid;
 use crate::physics::Side;
 
-/// Balls from which on cells are worth their trouble: below, looking at every ball is as quick (`benches/scale.rs` prints both).
+/// Balls from which on cells are worth their trouble: below, looking at every ball is as quick.
 pub const ENOUGH_BALLS: usize = 20;
 
 /// Sides of squares, in largest contact distances. Narrower ones are left more often, wider ones hold more balls.
@@ -22,7 +22,7 @@ const WIDTH: f64 = 1.125;
 const BLURS: f64 = 256.0;
 
 /// Squares for each ball, at most.
-const SQUARES: usize = 4;
+const SQUARES: usize = 2;
 
 /// Partners for each ball that a layout may look at in vain before it is laid out anew.
 const PATIENCE: u64 = 64;
@@ -162,7 +162,14 @@ impl Cells {
                     continue;
                 }
                 let gap = (T::lift(edge) - position[axis]) * outward;
-                let found = first_crossing(gap, speed, acceleration, limit, &exactly);
+                if gap > (speed + acceleration.at_least(T::zero()) * limit) * limit {
+                    continue;
+                }
+                let found = if acceleration.is_zero() {
+                    Contact::At((gap / speed).at_least(T::zero()))
+                } else {
+                    first_crossing(gap, speed, acceleration, limit, &exactly)
+                };
                 if let Contact::At(after) | Contact::Unclear(after) = found {
                     let one = Candidate {
                         time: now + after,
@@ -184,5 +191,110 @@ fn side(axis: usize, low: bool) -> Side {
         (0, false) => Side::X1,
         (_, true) => Side::Y0,
         (_, false) => Side::Y1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::exact::flight::Ground;
+    use crate::math::random::Draws;
+
+    /// Discs of radius 1, touching at the distance 2, somewhere in a square of side 40.
+    fn positions(n: usize) -> Vec<[f64; 2]> {
+        let point = |i: usize| {
+            let mut draws = Draws::new(5, i as u64);
+            [draws.between(0.0, 40.0), draws.between(0.0, 40.0)]
+        };
+        (0..n).map(point).collect()
+    }
+
+    fn filled(positions: &[[f64; 2]]) -> Cells {
+        let mut cells = Cells::over(positions, 2.0, 1e-14);
+        for (ball, position) in positions.iter().enumerate() {
+            cells.enter(ball, *position);
+        }
+        cells
+    }
+
+    /// What is around each ball must hold every ball within contact and slack.
+    fn hold_near(cells: &mut Cells, positions: &[[f64; 2]]) -> usize {
+        let (mut near, mut found) = (0, Vec::new());
+        for (a, here) in positions.iter().enumerate() {
+            cells.around(a, &mut found);
+            let mut sorted: Vec<usize> = found.iter().map(|ball| *ball as usize).collect();
+            sorted.sort_unstable();
+            assert_eq!(sorted, cells.within_slack(a));
+            for (b, there) in positions.iter().enumerate() {
+                if (here[0] - there[0]).hypot(here[1] - there[1]) <= 2.0 + cells.slack {
+                    assert!(sorted.contains(&b), "{a} at {here:?}, {b} at {there:?}");
+                    near += 1;
+                }
+            }
+        }
+        near
+    }
+
+    #[test]
+    fn balls_that_move_from_square_to_square_are_found_by_those_near_them() {
+        for ground in [Ground::<f64>::Frictionless, Ground::Coulomb(0.3)] {
+            let starts = positions(150);
+            let mut cells = filled(&starts);
+            let flights: Vec<Flight<f64>> = starts
+                .iter()
+                .enumerate()
+                .map(|(i, start)| {
+                    let (vx, vy) = Draws::new(6, i as u64).in_disc(3.0);
+                    Flight::new(ground, 0.0, *start, [vx, vy])
+                })
+                .collect();
+            let mut crossings = 0;
+            let mut clock = vec![0.0; starts.len()];
+            for step in 1..=12 {
+                let time = f64::from(step);
+                let mut there = Vec::new();
+                for (ball, flight) in flights.iter().enumerate() {
+                    loop {
+                        let mut next = Candidate {
+                            time: time.min(flight.end),
+                            ..Candidate::none()
+                        };
+                        cells.leaving(ball, flight, clock[ball], &mut next);
+                        let What::Leaving(_, side) = next.what else {
+                            break;
+                        };
+                        clock[ball] = next.time.max(clock[ball]);
+                        cells.cross(ball, side);
+                        crossings += 1;
+                    }
+                    clock[ball] = time.min(flight.end);
+                    there.push(flight.at(clock[ball]).0);
+                }
+                assert!(hold_near(&mut cells, &there) >= starts.len());
+            }
+            assert!(crossings > starts.len(), "{crossings}");
+        }
+    }
+
+    #[test]
+    fn a_crowd_in_few_squares_wears_the_layout_out() {
+        let starts = positions(150);
+        let mut cells = filled(&starts);
+        let mut found = Vec::new();
+        for ball in 0..starts.len() {
+            cells.around(ball, &mut found);
+        }
+        assert!(!cells.worn_out());
+        // all at one place, looked at again and again
+        let mut cells = Cells::over(&starts, 2.0, 1e-14);
+        for ball in 0..starts.len() {
+            cells.enter(ball, [20.0, 20.0]);
+        }
+        let looks = PATIENCE as usize * starts.len() / (starts.len() - FEW as usize) + 1;
+        for _ in 0..looks {
+            cells.around(0, &mut found);
+        }
+        assert_eq!(found.len(), starts.len());
+        assert!(cells.worn_out());
     }
 }

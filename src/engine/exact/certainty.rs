@@ -8,6 +8,7 @@
 use super::flight::Flight;
 use super::predict::{Near, Notes, View};
 use super::simultaneous::Cluster;
+use super::spin::Moving;
 use super::tangent::{Replay, Script};
 use super::world::World;
 use crate::math::random::Draws;
@@ -25,7 +26,7 @@ const PROBES: usize = 16;
 const DEVIATIONS: f64 = 4.0;
 
 /// Seed of the signs; any number would do.
-const SEED: u64 = 0x6361_726f_6d;
+const SEED: u64 = 7;
 
 /// Roundings of a velocity in one impact, relative.
 const SPEED_ROUNDINGS: f64 = 2.0;
@@ -104,8 +105,10 @@ impl<'a> Probes<'a> {
     fn disturb(&mut self, ball: usize, clock: f64) {
         let flight = &self.replay.flights[ball];
         let fastest = flight.fastest.value;
-        let (length, speed) = (self.length, self.speed * fastest);
-        let mut motion = [flight.position, flight.velocity];
+        let (length, speed) = (self.length, self.speed * fastest + self.replay.law_error);
+        let spin = speed / self.replay.world.radius[ball].value;
+        let turning = !self.replay.spins.is_empty();
+        let mut moving = self.replay.set_out(ball);
         let mut start = flight.start;
         for lane in 0..PROBES {
             let mut signs = self.draws.bits();
@@ -114,12 +117,17 @@ impl<'a> Probes<'a> {
                 if signs & 1 == 0 { size } else { -size }
             };
             for axis in 0..2 {
-                motion[0][axis].partials[lane] += signed(length);
-                motion[1][axis].partials[lane] += signed(speed);
+                moving.position[axis].partials[lane] += signed(length);
+                moving.velocity[axis].partials[lane] += signed(speed);
+            }
+            if turning {
+                for w in &mut moving.spin {
+                    w.partials[lane] += signed(spin);
+                }
             }
             start.partials[lane] += signed(clock);
         }
-        self.replay.restart(ball, start, motion);
+        self.replay.depart(ball, start, moving);
     }
 }
 
@@ -135,7 +143,7 @@ struct Table<'a> {
 impl<'a> Table<'a> {
     fn new(script: &'a Script<'a>) -> Self {
         let world = World::<f64>::new(script.scene);
-        let flights = world.first_flights(script.scene);
+        let (flights, _) = world.first_flights(script.scene);
         Table {
             script,
             world,
@@ -225,9 +233,20 @@ impl<'a> Table<'a> {
     /// Takes the balls of an event to its far side.
     fn pass(&mut self, index: usize, event: &Event) {
         for (ball, state) in &self.script.far[index] {
-            let (r, v) = (state.position, state.velocity);
-            self.flights[*ball] =
-                Flight::new(self.world.ground, event.time, [r.x, r.y], [v.x, v.y]);
+            let moving = Moving::lifted(state);
+            self.flights[*ball] = match &self.world.rotation {
+                None => {
+                    let Moving {
+                        position, velocity, ..
+                    } = moving;
+                    Flight::new(self.world.ground, event.time, position, velocity)
+                }
+                Some(rotation) => {
+                    rotation
+                        .depart(self.world.radius[*ball], event.time, moving)
+                        .0
+                }
+            };
         }
     }
 }

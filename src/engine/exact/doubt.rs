@@ -61,7 +61,7 @@ impl<T: Real> Loop<'_, T> {
             let velocity = if before > 0 { earlier(ball) } else { now(ball) };
             (self.place(ball), velocity)
         };
-        let cluster = self.cluster(&seeds, &state, window);
+        let cluster = self.cluster(&seeds, &state, window, before == 0);
         if !cluster.order_matters() {
             return Outcome::Alone;
         }
@@ -76,27 +76,36 @@ impl<T: Real> Loop<'_, T> {
         })
     }
 
-    /// The cluster around `seeds`, whose balls have `state`: centre and velocity.
+    /// The cluster around `seeds`, whose balls have `state`: centre and velocity; `far`: on the far side of the impact at hand.
     pub fn cluster(
         &self,
         seeds: &[usize],
         state: &dyn Fn(usize) -> ([T; 2], [T; 2]),
         window: T,
+        far: bool,
     ) -> Cluster<'_, T> {
         let world = &self.solver.world;
         // no two balls close in faster than this
         let gap = world.touching + (world.fastest + world.fastest) * window;
         let neighbours = |ball: usize| self.neighbours(ball, gap);
-        Cluster::around(world, seeds, state, &neighbours, window)
+        let cluster = Cluster::around(world, seeds, state, &neighbours, window);
+        if self.solver.spins.is_empty() {
+            return cluster;
+        }
+        cluster.turning(|ball| self.spins_of(ball)[usize::from(far)])
     }
 
     /// Undoes an impact: its balls are on the flights that led to it.
     fn take_back(&mut self, sides: &[Party<T>]) {
         for side in sides {
-            self.moving += usize::from(side.flight.moves());
-            self.moving -= usize::from(self.solver.flights[side.ball].moves());
+            self.moving -= usize::from(self.solver.is_active(side.ball));
             self.solver.flights[side.ball] = side.flight;
+            if let Some(turned) = self.turned.iter().find(|turned| turned.ball == side.ball) {
+                self.solver.spins[side.ball] = turned.spin;
+            }
+            self.moving += usize::from(self.solver.is_active(side.ball));
         }
+        self.turned.clear();
     }
 
     /// True if a neighbour is reached within the window, at the velocities given.

@@ -5,8 +5,7 @@
 //! call the rates of `physics::cloth`, so that the two can be held against each other.
 
 use crate::math::Real;
-use crate::physics::{Cloth, Effects, State};
-use nalgebra::Vector3;
+use crate::physics::{Cloth, Effects};
 
 /// What a ball does until its flight ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +16,8 @@ pub enum Phase {
     Free,
     /// Slides along a line and comes to rest at the end of the flight.
     Slide,
+    /// Slides or rolls over a cloth that turns it: constant acceleration, whatever its direction and whatever comes after.
+    Curve,
 }
 
 /// A ball between two events. Times are absolute, s; x and y in the plane of the table.
@@ -38,7 +39,7 @@ pub struct Flight<T> {
     pub phase: Phase,
 }
 
-/// The cloth in closed form.
+/// The cloth in closed form, under balls that do not turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ground<T> {
     /// No cloth, or one without friction.
@@ -54,7 +55,7 @@ impl<T: Real> Ground<T> {
             Some(Cloth::Translational { mu }) if mu * gravity > T::zero() => {
                 Ground::Coulomb(mu * gravity)
             }
-            // slides, rolls and spins are not built; `missing` names that cloth
+            // what turns balls has flights of its own, see `spin`
             Some(Cloth::Translational { .. } | Cloth::Rotational { .. }) | None => {
                 Ground::Frictionless
             }
@@ -131,15 +132,6 @@ impl<T: Real> Flight<T> {
     pub fn rest_position(&self) -> [T; 2] {
         let half = (self.end - self.start) * T::lift(0.5);
         [0, 1].map(|i| self.position[i] + self.velocity[i] * half)
-    }
-}
-
-/// A state in f64, at height `z`, from centre and velocity in the plane. No law that is built turns balls.
-pub fn state<T: Real>(position: [T; 2], velocity: [T; 2], z: f64, spin: Vector3<f64>) -> State {
-    State {
-        position: Vector3::new(position[0].to_f64(), position[1].to_f64(), z),
-        velocity: Vector3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
-        spin,
     }
 }
 

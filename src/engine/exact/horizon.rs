@@ -140,8 +140,8 @@ fn fault(sight: &Sight) -> Option<Limit> {
     let (Some(seen), Some(apart)) = (sight.seen, sight.apart) else {
         return Some(Limit::Order);
     };
-    // written so that a NaN is not agreement
-    if !(apart < BAND) {
+    // a NaN is no agreement
+    if apart.is_nan() || apart >= BAND {
         return Some(Limit::Apart);
     }
     let error = worse(sight.estimated.unwrap_or_default(), seen);
@@ -155,7 +155,12 @@ fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solu
     if ours.events.len() != theirs.events.len() || ours.ending.id() != theirs.ending.id() {
         return Limit::Order;
     }
-    let apart = run.positions.iter().zip(&witness.positions).map(|(p, q)| {
+    let ends = run.positions.iter().zip(&witness.positions);
+    // a ball that left play in both is nowhere
+    let in_play = ends
+        .zip(ours.final_states())
+        .filter(|(_, state)| state.is_some());
+    let apart = in_play.map(|((p, q), _)| {
         let [x, y] = [0, 1].map(|i| (p[i].widen::<W>() - q[i]).to_f64());
         x.hypot(y) / scene.smallest_radius()
     });

@@ -5,9 +5,10 @@
 use super::doubt::Outcome;
 use super::flight::Flight;
 use super::predict::Near;
-use super::solve::Loop;
+use super::solve::{Loop, Turned};
+use super::spin::Moving;
 use crate::math::Real;
-use crate::physics::{Body, Contact, Cushion, Motion, Side, contact, cushion};
+use crate::physics::{Body, Contact, Cushion, Friction, Motion, Side, contact, cushion};
 use crate::trace::Ending;
 use nalgebra::Vector3;
 
@@ -31,11 +32,9 @@ pub struct Party<T> {
 
 impl<T: Real> Loop<'_, T> {
     fn body(&self, side: &Party<T>) -> Body<T> {
-        let zero = T::zero();
-        let lift = |v: &Vector3<f64>| Vector3::new(T::lift(v.x), T::lift(v.y), T::lift(v.z));
         Body {
-            velocity: Vector3::new(side.before[0], side.before[1], zero),
-            spin: lift(&self.solver.scene.balls[side.ball].state.spin),
+            velocity: Vector3::new(side.before[0], side.before[1], T::zero()),
+            spin: self.solver.spin_at(side.ball, self.now).into(),
             mass: self.solver.world.mass[side.ball],
             radius: self.solver.world.radius[side.ball],
         }
@@ -71,14 +70,12 @@ impl<T: Real> Loop<'_, T> {
                 "they are pressed together without closing in: impacts follow each other without end",
             )));
         }
-        collide(
-            law,
-            &self.body(&one),
-            &self.body(&other),
-            &n,
-            &mut one,
-            &mut other,
-        );
+        let (first, second) = (self.body(&one), self.body(&other));
+        if self.solver.spins.is_empty() {
+            collide(law, None, &first, &second, &n, &mut one, &mut other);
+        } else {
+            self.collide_turning(law, &first, &second, &n, [&mut one, &mut other]);
+        }
         if !finite(&one) || !finite(&other) {
             return Some(Ending::NotFinite(
                 self.spot(&[a, b], "the impact left no finite velocity"),
@@ -105,7 +102,11 @@ impl<T: Real> Loop<'_, T> {
     pub fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
         let law = self.solver.world.cushion?;
         let mut one = self.arrival(a);
-        bounce(law, &self.body(&one), side, &mut one);
+        let motion = bounce(law, &self.body(&one), side, &mut one);
+        if !self.solver.spins.is_empty() {
+            self.turned.clear();
+            self.turn(a, &motion);
+        }
         if !finite(&one) {
             return Some(Ending::NotFinite(
                 self.spot(&[a], "the cushion left no finite velocity"),
@@ -147,6 +148,10 @@ impl<T: Real> Loop<'_, T> {
     /// Puts balls on their flights after an impact and predicts their next events.
     pub fn depart(&mut self, sides: &[Party<T>]) {
         for side in sides {
+            if !self.solver.spins.is_empty() {
+                self.depart_turning(side);
+                continue;
+            }
             let flight = Flight::new(
                 self.solver.world.ground,
                 self.now,
@@ -165,6 +170,58 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
+    #[cold]
+    fn depart_turning(&mut self, side: &Party<T>) {
+        let spin = self.spins_of(side.ball)[1];
+        self.set_off(
+            side.ball,
+            Moving {
+                position: side.position,
+                velocity: side.after,
+                spin,
+            },
+        );
+    }
+
+    /// Applies the law of an impact of two balls that turn, and keeps how they do.
+    #[cold]
+    fn collide_turning(
+        &mut self,
+        law: Contact<T>,
+        a: &Body<T>,
+        b: &Body<T>,
+        n: &Vector3<T>,
+        [one, other]: [&mut Party<T>; 2],
+    ) {
+        let (motion, reaction) = collide(law, self.solver.world.friction, a, b, n, one, other);
+        self.turned.clear();
+        self.turn(one.ball, &motion);
+        self.turn(other.ball, &reaction);
+    }
+
+    /// Keeps how a ball of the impact at hand turns.
+    #[cold]
+    fn turn(&mut self, ball: usize, motion: &Motion<T>) {
+        self.turned.push(Turned {
+            ball,
+            spin: self.solver.spins[ball],
+            before: self.solver.spin_at(ball, self.now),
+            after: motion.spin.into(),
+        });
+    }
+
+    /// Angular velocity of a ball on both sides of the impact at hand.
+    #[inline]
+    pub fn spins_of(&self, ball: usize) -> [[T; 3]; 2] {
+        if self.solver.spins.is_empty() {
+            return [[T::zero(); 3]; 2];
+        }
+        match self.turned.iter().find(|turned| turned.ball == ball) {
+            Some(turned) => [turned.before, turned.after],
+            None => [self.solver.spin_at(ball, self.now); 2],
+        }
+    }
+
     /// Counts impacts of balls while no time passes; answers when there are too many to be finite.
     pub fn streak(&mut self, balls: &[usize]) -> Option<Ending> {
         let collapsed = self.streaks.count(balls, self.now)?;
@@ -173,24 +230,28 @@ impl<T: Real> Loop<'_, T> {
 }
 
 /// Applies the law of an impact of two balls.
-#[inline(never)]
+#[inline(always)]
 fn collide<T: Real>(
     law: Contact<T>,
+    friction: Option<Friction<T>>,
     a: &Body<T>,
     b: &Body<T>,
     n: &Vector3<T>,
     one: &mut Party<T>,
     other: &mut Party<T>,
-) {
-    let (motion, reaction) = contact::impact(law, None, a, b, n);
+) -> (Motion<T>, Motion<T>) {
+    let (motion, reaction) = contact::impact(law, friction, a, b, n);
     one.after = settled(one.before, &motion);
     other.after = settled(other.before, &reaction);
+    (motion, reaction)
 }
 
 /// Applies the law of a cushion.
 #[inline(never)]
-fn bounce<T: Real>(law: Cushion<T>, a: &Body<T>, side: Side, one: &mut Party<T>) {
-    one.after = settled(one.before, &cushion::impact(law, a, side).motion);
+fn bounce<T: Real>(law: Cushion<T>, a: &Body<T>, side: Side, one: &mut Party<T>) -> Motion<T> {
+    let motion = cushion::impact(law, a, side).motion;
+    one.after = settled(one.before, &motion);
+    motion
 }
 
 /// The velocity after an impact; zero where nothing but the rounding of a cancellation is left.

@@ -4,7 +4,8 @@
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
 //! - `queue`: which ball is next; `cells`: who may meet whom, where there are many balls.
-//! - `solve`: the event loop; `impact`: what an impact does; `record`: what is written down of it.
+//! - `spin`: how it turns meanwhile, where the scene calls for that.
+//! - `solve`: the event loop; `impact`: what an impact does; `phases`: what else ends a flight; `record`: what is written down of it.
 //! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
 //!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
@@ -26,15 +27,18 @@ mod doubt;
 pub mod flight;
 pub mod horizon;
 mod impact;
+mod phases;
 mod predict;
 mod queue;
 mod record;
 mod reflections;
 pub mod sensitivity;
+mod sheet;
 mod shock;
 mod simultaneous;
 mod solution;
 mod solve;
+mod spin;
 mod tangent;
 mod world;
 
@@ -43,13 +47,10 @@ pub use solution::{Solution, final_positions, solve};
 pub use solve::Partners;
 
 use super::setting::{knobs_of, parameters};
-use super::sheet::Role;
-use super::{
-    About, Engine, Inside, Knob, Limits, PairMaterial, Parameter, Partner, Refusal, Run, Setting,
-};
+use super::{About, Engine, Inside, Knob, Limits, Parameter, Refusal, Run, Setting};
 use crate::math::{DoubleDouble, Octuple, Real};
-use crate::physics::invariants::{Invariant, kinetic_energy};
-use crate::physics::{Cloth, Contact, Cushion, Friction, Pockets};
+use crate::physics::invariants::{Invariant, kinetic_energy, sphere_inertia};
+use crate::physics::{Contact, Cushion, Friction};
 use crate::scene::{Ball, Scene, Simultaneous};
 use crate::trace::{Provenance, Record, Trace};
 use flight::Ground;
@@ -127,6 +128,22 @@ impl Exact {
     }
 }
 
+/// True where an impact may lose energy, or friction acts in it.
+fn lossy(scene: &Scene) -> bool {
+    let effects = &scene.effects;
+    let contact = match effects.contact {
+        None | Some(Contact::Elastic {}) => false,
+        Some(Contact::Inelastic { .. }) => true,
+    };
+    let cushion = match effects.cushion {
+        None | Some(Cushion::Elastic {}) => false,
+        Some(
+            Cushion::Restitution { .. } | Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. },
+        ) => true,
+    };
+    contact || cushion || effects.friction.is_some()
+}
+
 impl Engine for Exact {
     fn id(&self) -> &'static str {
         "exact"
@@ -149,34 +166,13 @@ impl Engine for Exact {
     }
 
     fn missing(&self, scene: &Scene) -> Vec<&'static str> {
-        // exhaustive, so that a new law does not compile until it is answered here
-        let mut missing = Vec::new();
-        match scene.effects.cloth {
-            None | Some(Cloth::Translational { .. }) => {}
-            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
-        }
-        match scene.effects.contact {
-            None | Some(Contact::Elastic {}) => {}
-            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
-        }
-        match scene.effects.friction {
-            None => {}
-            Some(law @ (Friction::Constant { .. } | Friction::Alciatore { .. })) => {
-                missing.push(law.id());
+        // every law of the scene format is built; what a convention makes of touching balls is known for laws without losses only
+        match (scene.simultaneous, lossy(scene)) {
+            (Simultaneous::GeneralizedReflections, true) => {
+                vec!["generalized reflections with losses or friction"]
             }
+            _ => Vec::new(),
         }
-        match scene.effects.cushion {
-            None | Some(Cushion::Elastic {}) => {}
-            Some(
-                law @ (Cushion::Restitution { .. }
-                | Cushion::Han2005 { .. }
-                | Cushion::Mathavan2010 { .. }),
-            ) => missing.push(law.id()),
-        }
-        if scene.effects.pockets.is_some() {
-            missing.push(Pockets::<f64>::ID);
-        }
-        missing
     }
 
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
@@ -200,24 +196,32 @@ impl Engine for Exact {
             Invariant::Mirror,
             Invariant::Relabelling,
             Invariant::QuarterTurn,
-            Invariant::Scaling,
         ];
+        // a law with a speed or a unit of its own does not scale
+        if !matches!(scene.effects.friction, Some(Friction::Alciatore { .. })) {
+            promised.push(Invariant::Scaling);
+        }
+        let lossy = lossy(scene);
         match scene.simultaneous {
-            Simultaneous::Refuse | Simultaneous::Ensemble => {
+            Simultaneous::Refuse | Simultaneous::Ensemble if !lossy => {
                 promised.push(Invariant::ImpactEnergy);
             }
             // several impacts share an instant: their sum keeps the energy, one of them may not
-            Simultaneous::GeneralizedReflections => {}
+            _ => {}
         }
         let world = World::<f64>::new(scene);
-        match world.ground {
+        match (world.ground, &world.rotation) {
             // d/dt sqrt(E) is at most -mu g sqrt(m/2) with the lightest mass while anything moves
-            Ground::Coulomb(deceleration) => {
-                if world.fastest / deceleration <= scene.duration {
-                    promised.push(Invariant::EverythingStops);
-                }
+            (Ground::Coulomb(deceleration), None)
+                if world.fastest / deceleration <= scene.duration =>
+            {
+                promised.push(Invariant::EverythingStops);
             }
-            Ground::Frictionless => promised.push(Invariant::TimeReversal),
+            (Ground::Frictionless, None) if !lossy && world.pockets.is_empty() => {
+                promised.push(Invariant::TimeReversal);
+            }
+            // how long balls slide, roll and spin has no such bound
+            _ => {}
         }
         promised
     }
@@ -304,12 +308,19 @@ impl<T: Real> Run for Prepared<'_, T> {
                 state: states[i],
             })
             .collect();
+        // the laws of rotation are those of a uniform solid sphere
+        let sphere = |b: &Ball| sphere_inertia(b.mass, b.radius);
+        let inertia: Vec<Option<f64>> = balls
+            .iter()
+            .map(|b| world.rotation.map(|_| sphere(b)))
+            .collect();
         Inside {
-            inertia: vec![None; balls.len()],
             energy: balls
                 .iter()
-                .map(|b| kinetic_energy(&b.state, b.mass, None))
+                .zip(&inertia)
+                .map(|(b, inertia)| kinetic_energy(&b.state, b.mass, *inertia))
                 .sum(),
+            inertia,
             materials: self.materials(balls.len()),
             balls,
             // what is read back is f64, whatever the scalar
@@ -319,85 +330,7 @@ impl<T: Real> Run for Prepared<'_, T> {
     }
 
     fn sheet(&self) -> Vec<Parameter> {
-        let scene = self.scene;
-        let unit = &scene.units;
-        let speed = format!("{}/{}", unit.length, unit.time);
-        let acceleration = format!("{}/{}^2", unit.length, unit.time);
-        fn row(role: Role, name: &str, value: impl ToString, unit: &str) -> Parameter {
-            Parameter::new(role, name, value, unit)
-        }
-        let mut sheet = vec![
-            row(
-                Role::TimeStep,
-                "none",
-                "solves for the time of each event",
-                "",
-            ),
-            row(Role::Precision, "precision", self.precision.id(), ""),
-            row(Role::Gravity, "gravity", scene.gravity, &acceleration),
-            row(
-                Role::Mass,
-                "mass",
-                self.range(&self.solver.world.mass),
-                &unit.mass,
-            ),
-            row(
-                Role::Radius,
-                "radius",
-                self.range(&self.solver.world.radius),
-                &unit.length,
-            ),
-            row(Role::Rotation, "rotation", "not simulated", ""),
-            row(
-                Role::ContactDetection,
-                "contact",
-                "first root of the distance",
-                "",
-            ),
-            row(Role::PositionCorrection, "correction", "none", ""),
-            row(Role::Rest, "rest speed", 0.0, &speed),
-        ];
-        if let Some(shot) = scene.shot {
-            let launched = scene.balls[shot.ball()].state.speed();
-            sheet.push(row(Role::Launch, "speed", launched, &speed));
-        }
-        match scene.effects.cloth {
-            Some(Cloth::Translational { mu }) => {
-                sheet.push(row(Role::ClothFriction, "mu", mu, ""));
-            }
-            Some(Cloth::Rotational { mu_slide, .. }) => {
-                sheet.push(row(Role::ClothFriction, "mu_slide", mu_slide, ""));
-            }
-            None => sheet.push(row(Role::ClothFriction, "cloth", "none", "")),
-        }
-        match scene.effects.contact {
-            Some(Contact::Elastic {}) => {
-                sheet.push(row(Role::BallRestitution, "restitution", 1.0, ""));
-                sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
-            }
-            Some(Contact::Inelastic { e }) => {
-                sheet.push(row(Role::BallRestitution, "restitution", e, ""));
-                sheet.push(row(Role::BallFriction, "friction", 0.0, ""));
-            }
-            None => sheet.push(row(Role::BallRestitution, "contact", "none", "")),
-        }
-        match scene.effects.cushion {
-            Some(Cushion::Elastic {}) => {
-                sheet.push(row(Role::CushionRestitution, "restitution", 1.0, ""));
-                sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
-            }
-            Some(Cushion::Restitution { e }) => {
-                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
-                sheet.push(row(Role::CushionFriction, "friction", 0.0, ""));
-            }
-            Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
-                sheet.push(row(Role::CushionRestitution, "restitution", e, ""));
-                sheet.push(row(Role::CushionFriction, "friction", mu, ""));
-            }
-            None => sheet.push(row(Role::CushionRestitution, "cushion", "none", "")),
-        }
-        sheet.sort_by_key(|parameter| parameter.role);
-        sheet
+        self.parameters()
     }
 
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
@@ -406,65 +339,5 @@ impl<T: Real> Run for Prepared<'_, T> {
             trace.certainty = certify(self.scene, &trace, T::ULP);
         }
         trace
-    }
-}
-
-impl<T: Real> Prepared<'_, T> {
-    /// What the engine's laws do, as friction and restitution of every kind of pair.
-    fn materials(&self, balls: usize) -> Vec<PairMaterial> {
-        let world = &self.solver.world;
-        let mut found = Vec::new();
-        for ball in 0..balls {
-            let mut add = |partner, friction, restitution| {
-                found.push(PairMaterial {
-                    ball,
-                    partner,
-                    friction,
-                    restitution,
-                });
-            };
-            match world.contact {
-                Some(Contact::Elastic {}) => add(Partner::Ball, 0.0, 1.0),
-                Some(Contact::Inelastic { e }) => add(Partner::Ball, 0.0, e.to_f64()),
-                None => {}
-            }
-            match world.cushion {
-                Some(Cushion::Elastic {}) => add(Partner::Cushion, 0.0, 1.0),
-                Some(Cushion::Restitution { e }) => add(Partner::Cushion, 0.0, e.to_f64()),
-                Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => {
-                    add(Partner::Cushion, mu.to_f64(), e.to_f64());
-                }
-                None => {}
-            }
-            match world.ground {
-                // what acts is mu g; the scene's gravity makes it comparable
-                Ground::Coulomb(deceleration) => add(
-                    Partner::Cloth,
-                    deceleration.to_f64() / self.scene.gravity,
-                    0.0,
-                ),
-                Ground::Frictionless => {
-                    let mu = self.scene.effects.cloth.map_or(0.0, |cloth| match cloth {
-                        Cloth::Translational { mu } => mu,
-                        Cloth::Rotational { mu_slide, .. } => mu_slide,
-                    });
-                    add(Partner::Cloth, mu, 0.0);
-                }
-            }
-        }
-        found
-    }
-
-    /// One number if all are equal, else the smallest and the largest.
-    fn range(&self, values: &[T]) -> String {
-        let numbers = values.iter().map(|x| x.to_f64());
-        let (least, most) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-            (a.min(x), b.max(x))
-        });
-        if least == most {
-            least.to_string()
-        } else {
-            format!("{least} to {most}")
-        }
     }
 }

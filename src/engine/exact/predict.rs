@@ -116,6 +116,9 @@ impl<T: Real> View<'_, T> {
     ) {
         if self.flights[ball].moves() {
             self.cushions(ball, except, best, notes);
+            if !self.world.pockets.is_empty() {
+                self.pockets(ball, best, notes);
+            }
         }
         if self.world.contact.is_some() {
             self.balls(ball, partners, except, best, notes);
@@ -132,10 +135,21 @@ impl<T: Real> View<'_, T> {
         best: &mut Candidate<T>,
         notes: &mut Notes<T>,
     ) {
-        let Some(reach) = self.world.reach.get(ball) else {
+        let Some([x0, x1, y0, y1]) = self.world.within_all_reach else {
             return;
         };
         let flight = &self.flights[ball];
+        let blur = &self.world.blur;
+        // mostly no cushion is within what is left of the way to the best so far
+        let way = flight.fastest * (later(best.time) - flight.start) + blur.length * T::lift(4.0);
+        let way = notes.watch.map_or(way, |watch| way.at_least(watch));
+        let [x, y] = flight.position;
+        if x - x0 > way && x1 - x > way && y - y0 > way && y1 - y > way {
+            return;
+        }
+        let Some(reach) = self.world.reach.get(ball) else {
+            return;
+        };
         for side in Side::ALL {
             let axis = side.axis();
             let outward = |x: T| if side.sign() < 0 { -x } else { x };
@@ -152,20 +166,38 @@ impl<T: Real> View<'_, T> {
             {
                 continue;
             }
-            let blur = &self.world.blur;
-            let limit = later(best.time) - flight.start;
-            // too far away for the time that is left
-            let most = speed + acceleration.at_least(T::zero()) * limit;
-            if gap > most * limit + blur.length * T::lift(4.0) {
-                continue;
-            }
             notes.root_calls += 1;
+            let limit = later(best.time) - flight.start;
             let found = first_crossing(gap, speed, acceleration, limit, blur);
             // x before y in a corner; a cushion before the end of a phase
             best.or(flight.start, 0, found, || {
                 (
                     What::Cushion(ball as u32, side),
                     What::UnclearCushion(ball as u32, side),
+                )
+            });
+        }
+    }
+
+    #[cold]
+    fn pockets(&self, ball: usize, best: &mut Candidate<T>, notes: &mut Notes<T>) {
+        let flight = &self.flights[ball];
+        for (pocket, [x, y, radius]) in self.world.pockets.iter().enumerate() {
+            let approach = Approach {
+                p: [*x - flight.position[0], *y - flight.position[1]],
+                v: flight.velocity.map(|v| -v),
+                a: flight.acceleration.map(|a| -a),
+                distance: *radius,
+            };
+            let limit = later(best.time) - flight.start;
+            notes.root_calls += 1;
+            let end = flight.end - flight.start;
+            let found = first_contact_by(&approach, end, limit, &self.world.blur);
+            best.or(flight.start, 0, found, || {
+                let (ball, pocket) = (ball as u32, pocket as u32);
+                (
+                    What::Pocket(ball, pocket),
+                    What::UnclearPocket(ball, pocket),
                 )
             });
         }
@@ -214,9 +246,10 @@ impl<T: Real> View<'_, T> {
                 continue;
             }
             let v = [motion[0] - velocity[0], motion[1] - velocity[1]];
-            let found = if !partner.moves() {
+            let curved = flight.phase == Phase::Curve || partner.phase == Phase::Curve;
+            let found = if !partner.moves() && !curved {
                 straight_contact(p, v, flight.end - since, distance, limit, &world.blur)
-            } else if !moves || partner.phase == Phase::Free {
+            } else if !curved && (!moves || partner.phase == Phase::Free) {
                 straight_contact(p, v, partner.end - since, distance, limit, &world.blur)
             } else {
                 let a = [

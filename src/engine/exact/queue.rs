@@ -13,12 +13,16 @@ pub enum What {
     Pair(u32, u32),
     /// It meets a cushion.
     Cushion(u32, Side),
+    /// It enters a pocket: ball, pocket.
+    Pocket(u32, u32),
     /// Its phase ends.
     End(u32),
     /// It is not clear from then on whether it meets another ball: (smaller, larger) index.
     UnclearPair(u32, u32),
     /// It is not clear from then on whether it meets a cushion.
     UnclearCushion(u32, Side),
+    /// It is not clear from then on whether it enters a pocket: ball, pocket.
+    UnclearPocket(u32, u32),
     /// It leaves its square of the cells: nothing of the trace.
     Leaving(u32, Side),
     /// It has none.
@@ -32,6 +36,8 @@ impl What {
             What::Pair(a, b) | What::UnclearPair(a, b) => vec![a as usize, b as usize],
             What::Cushion(a, _)
             | What::UnclearCushion(a, _)
+            | What::Pocket(a, _)
+            | What::UnclearPocket(a, _)
             | What::End(a)
             | What::Leaving(a, _) => vec![a as usize],
             What::Nothing => Vec::new(),
@@ -110,11 +116,16 @@ impl<T: Real> Queue<T> {
             time: candidate.time,
             ball: ball as u32,
         };
+        let neighbour = ball ^ 1;
+        let time = self.candidates.get(neighbour).map(|rival| rival.time);
+        let mut rival = Node {
+            time: time.unwrap_or_else(|| T::lift(f64::INFINITY)),
+            ball: neighbour as u32,
+        };
         let mut node = self.leaves + ball;
-        while node > 1 {
-            let rival = self.rival(node);
+        loop {
             // ties go to the left
-            let beaten = if node % 2 == 0 {
+            let beaten = if node.is_multiple_of(2) {
                 self.beats(rival, winner)
             } else {
                 !self.beats(winner, rival)
@@ -129,21 +140,10 @@ impl<T: Real> Queue<T> {
                 return;
             }
             *holder = winner;
-        }
-    }
-
-    /// The winner of the sibling of a node.
-    #[inline]
-    fn rival(&self, node: usize) -> Node<T> {
-        let sibling = node ^ 1;
-        if sibling < self.leaves {
-            return self.tree[sibling];
-        }
-        let ball = sibling - self.leaves;
-        let time = self.candidates.get(ball).map(|candidate| candidate.time);
-        Node {
-            time: time.unwrap_or_else(|| T::lift(f64::INFINITY)),
-            ball: ball as u32,
+            if node == 1 {
+                return;
+            }
+            rival = self.tree[node ^ 1];
         }
     }
 

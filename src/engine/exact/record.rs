@@ -9,9 +9,11 @@ use crate::trace::EventKind;
 
 impl<T: Real> Loop<'_, T> {
     fn both(&self, side: &Party<T>) -> (State, State) {
+        let [before, after] = self.spins_of(side.ball);
+        let solver = &self.solver;
         (
-            self.solver.state(side.ball, side.position, side.before),
-            self.solver.state(side.ball, side.position, side.after),
+            solver.state_with(side.ball, side.position, side.before, before),
+            solver.state_with(side.ball, side.position, side.after, after),
         )
     }
 
@@ -96,8 +98,16 @@ impl<T: Real> Loop<'_, T> {
     /// Change of a ball's kinetic energy.
     fn gain(&self, side: &Party<T>) -> f64 {
         let mass = self.solver.scene.balls[side.ball].mass;
+        if self.solver.spins.is_empty() {
+            let energy = |velocity: [T; 2]| {
+                let [x, y] = velocity.map(T::to_f64);
+                0.5 * mass * (x * x + y * y)
+            };
+            return energy(side.after) - energy(side.before);
+        }
         let (before, after) = self.both(side);
-        kinetic_energy(&after, mass, None) - kinetic_energy(&before, mass, None)
+        let inertia = self.solver.scene.inertia(side.ball);
+        kinetic_energy(&after, mass, inertia) - kinetic_energy(&before, mass, inertia)
     }
 
     /// A ball that an impact brought to rest, if it `moved` before.
@@ -105,7 +115,7 @@ impl<T: Real> Loop<'_, T> {
         let zero = [T::zero(); 2];
         if moved && side.before != zero && side.after == zero {
             let time = self.now.to_f64();
-            let at_rest = self.solver.state(side.ball, side.position, zero);
+            let at_rest = self.solver.state(side.ball, side.position, zero, self.now);
             self.count_event();
             self.recorder.stop(side.ball, time, &at_rest, &at_rest);
         }

@@ -107,7 +107,8 @@ impl<T: Real> Cluster<'_, T> {
         }
         let constraints = self.constraints();
         let mass = self.masses();
-        let mut velocities = self.velocities.clone();
+        // what reflects is smooth, and leaves spins alone
+        let (mut velocities, mut spins) = (self.velocities.clone(), self.spins.clone());
         let mut impulses: Vec<(usize, T)> = Vec::new();
         let mut book = |contact: usize, impulse: T| match impulses
             .iter_mut()
@@ -137,7 +138,7 @@ impl<T: Real> Cluster<'_, T> {
                         contact,
                         (speed + speed) / constraint.coupling(constraint, &mass),
                     );
-                    self.apply(self.touches[contact], &mut velocities);
+                    self.apply(self.touches[contact], &mut velocities, &mut spins);
                     continue;
                 }
                 let set: Vec<&Constraint<T>> = group.iter().map(|i| &constraints[*i]).collect();

@@ -1,8 +1,9 @@
 //! What a run depends on: its growth, and the derivative of where every ball ends by each input.
 
-use super::tangent::{Motion2, Replay, Rough, Script};
+use super::spin::Moving;
+use super::tangent::{Replay, Rough, Script};
 use crate::math::{Dual, Real};
-use crate::physics::Pockets;
+use crate::physics::{Contact, Cushion, Pockets};
 use crate::scene::Scene;
 use crate::trace::Trace;
 use nalgebra::DMatrix;
@@ -11,7 +12,13 @@ use num_traits::Zero;
 /// Derivatives that one pass over the events carries.
 const LANES: usize = 16;
 
-/// Growth is not computed for more balls than this: it takes a matrix of four rows and columns a ball, and its singular
+/// Coordinates of a ball: centre, velocity, spin.
+const PARTS: usize = 7;
+
+/// Those of a ball that does not turn.
+const PLANE: usize = 4;
+
+/// Growth is not computed for more balls than this: it takes a matrix of four or seven rows and columns a ball, and its singular
 /// values at every event.
 pub const MOST_BALLS: usize = 64;
 
@@ -19,7 +26,7 @@ pub const MOST_BALLS: usize = 64;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Growth {
     /// Largest singular value of the tangent map from time 0 to just after each event, in the order of the events. Lengths are in
-    /// R, speeds in the largest initial speed. Shorter than the events if one of them has no derivative.
+    /// R, speeds in the largest initial speed, spins in that over R. Shorter than the events if one of them has no derivative.
     pub factors: Vec<f64>,
     /// The first event without a derivative.
     pub rough: Option<usize>,
@@ -46,24 +53,33 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
         0.0 => 1.0,
         speed => speed,
     };
-    let unit = [length, speed];
+    let unit: [f64; PARTS] = std::array::from_fn(|part| match part {
+        0 | 1 => length,
+        2 | 3 => speed,
+        _ => speed / length,
+    });
     // a ball that rests on a cloth stays where it is when its velocity is changed by little
     let slides =
         |ball: usize| scene.effects.cloth.is_none() || scene.balls[ball].state.speed() > 0.0;
-    let coordinates = |ball: usize| {
-        let all = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(of, axis)| (ball, of, axis));
-        all.into_iter()
-            .filter(move |(_, of, _)| *of == 0 || slides(ball))
+    let parts = if scene.effects.rotates() {
+        PARTS
+    } else {
+        PLANE
     };
-    let columns: Vec<(usize, usize, usize)> = (0..balls).flat_map(coordinates).collect();
+    let coordinates = |ball: usize| {
+        (0..parts)
+            .map(move |part| (ball, part))
+            .filter(move |(_, part)| *part < 2 || slides(ball))
+    };
+    let columns: Vec<(usize, usize)> = (0..balls).flat_map(coordinates).collect();
     let effects = scene.effects.lift();
     let mut batches: Vec<Replay<'_, LANES>> = columns
         .chunks(LANES)
         .map(|chunk| {
-            Replay::new(&script, &effects, |ball, motion: &mut Motion2<LANES>| {
-                for (lane, (of_ball, of, axis)) in chunk.iter().enumerate() {
-                    if *of_ball == ball {
-                        motion[*of][*axis].partials[lane] = unit[*of];
+            Replay::new(&script, &effects, |ball, moving| {
+                for (lane, (of, part)) in chunk.iter().enumerate() {
+                    if *of == ball {
+                        moving.part(*part).partials[lane] = unit[*part];
                     }
                 }
             })
@@ -80,25 +96,27 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
             break;
         }
         if whole || index + 1 == trace.events.len() {
-            let map = tangent_map(&batches, columns.len(), event.time, unit);
+            let map = tangent_map(&batches, [parts, columns.len()], event.time, unit);
             growth.factors.push(map.singular_values().max());
         }
     }
     Some(growth)
 }
 
-/// The tangent map from time 0 to `t`: four rows a ball, one column an input.
+/// The tangent map from time 0 to `t`: `parts` rows a ball, one column an input.
 fn tangent_map(
     batches: &[Replay<'_, LANES>],
-    columns: usize,
+    [parts, columns]: [usize; 2],
     t: f64,
-    unit: [f64; 2],
+    unit: [f64; PARTS],
 ) -> DMatrix<f64> {
-    let states: Vec<Vec<Motion2<LANES>>> = batches.iter().map(|b| b.states_at(t)).collect();
+    let mut states: Vec<Vec<Moving<Dual<f64, LANES>>>> =
+        batches.iter().map(|batch| batch.states_at(t)).collect();
     let balls = states.first().map_or(0, Vec::len);
-    DMatrix::from_fn(4 * balls, columns, |row, column| {
-        let (ball, of, axis) = (row / 4, row % 4 / 2, row % 2);
-        states[column / LANES][ball][of][axis].partials[column % LANES] / unit[of]
+    DMatrix::from_fn(parts * balls, columns, |row, column| {
+        let (ball, part) = (row / parts, row % parts);
+        let moving = &mut states[column / LANES][ball];
+        moving.part(part).partials[column % LANES] / unit[part]
     })
 }
 
@@ -123,7 +141,7 @@ impl Input {
         match self {
             Input::Aim => "aim",
             Input::Speed => "speed",
-            Input::Effect(key) => key.rsplit_once('.').map_or(key, |(_, number)| number),
+            Input::Effect(key) => key.strip_prefix("cloth.translational.").unwrap_or(key),
             Input::BallRestitution => "restitution of balls",
             Input::CushionRestitution => "restitution of cushions",
         }
@@ -213,11 +231,16 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
         .effects
         .map(|key, value| Dual::lift(value) + seeded(Input::Effect(key), value));
     let cue = scene.cue_ball();
-    let mut replay = Replay::new(&script, &effects, |ball, motion| {
+    let mut replay = Replay::new(&script, &effects, |ball, moving| {
         if ball == cue {
-            let [vx, vy] = motion[1].map(|v| v.value);
-            motion[1][0] += seeded(Input::Aim, -vy) + seeded(Input::Speed, vx);
-            motion[1][1] += seeded(Input::Aim, vx) + seeded(Input::Speed, vy);
+            let [vx, vy] = moving.velocity.map(|v| v.value);
+            let [wx, wy, wz] = moving.spin.map(|w| w.value);
+            // the whole motion turns about the vertical, or grows
+            moving.velocity[0] += seeded(Input::Aim, -vy) + seeded(Input::Speed, vx);
+            moving.velocity[1] += seeded(Input::Aim, vx) + seeded(Input::Speed, vy);
+            moving.spin[0] += seeded(Input::Aim, -wy) + seeded(Input::Speed, wx);
+            moving.spin[1] += seeded(Input::Aim, wx) + seeded(Input::Speed, wy);
+            moving.spin[2] += seeded(Input::Speed, wz);
         }
     });
     replay.restitution =
@@ -232,7 +255,7 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
         input: *input,
         derivative: ends
             .iter()
-            .map(|[position, _]| position.map(|x| x.partials[lane]))
+            .map(|moving| moving.position.map(|x| x.partials[lane]))
             .collect(),
     };
     inputs
@@ -255,10 +278,11 @@ fn inputs(scene: &Scene) -> Vec<Input> {
             inputs.push(Input::Effect(key));
         }
     });
-    if scene.effects.contact.is_some() {
+    // a law with losses has a number for it
+    if let Some(Contact::Elastic {}) = scene.effects.contact {
         inputs.push(Input::BallRestitution);
     }
-    if scene.effects.cushion.is_some() {
+    if let Some(Cushion::Elastic {}) = scene.effects.cushion {
         inputs.push(Input::CushionRestitution);
     }
     inputs

@@ -17,7 +17,7 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     pub fn shock(&mut self, seeds: &[usize], window: T) -> Option<Ending> {
         let state = |ball: usize| self.solver.flights[ball].at(self.now);
-        let cluster = self.cluster(seeds, &state, window);
+        let cluster = self.cluster(seeds, &state, window, false);
         let found = cluster.reflect();
         let rows = found
             .as_ref()

@@ -37,6 +37,8 @@ pub struct Cluster<'a, T: Real> {
     pub balls: Vec<usize>,
     /// Velocities of the members.
     pub velocities: Vec<[T; 2]>,
+    /// Angular velocities of the members; they only matter to laws with friction.
+    pub spins: Vec<[T; 3]>,
     /// Who is within reach of whom, by member (position in `balls`).
     pub touches: Vec<Touch<T>>,
 }
@@ -60,6 +62,7 @@ impl<'a, T: Real> Cluster<'a, T> {
             world,
             balls: seeds.to_vec(),
             velocities: Vec::new(),
+            spins: Vec::new(),
             touches: Vec::new(),
         };
         let mut members: BTreeSet<usize> = seeds.iter().copied().collect();
@@ -90,6 +93,7 @@ impl<'a, T: Real> Cluster<'a, T> {
         let states = cluster.balls.iter().map(|ball| state(*ball));
         let (positions, velocities): (Vec<_>, Vec<_>) = states.unzip();
         cluster.velocities = velocities;
+        cluster.spins = vec![[T::zero(); 3]; cluster.balls.len()];
         cluster.find_touches(&positions, &pairs, window);
         cluster
     }
@@ -118,6 +122,12 @@ impl<'a, T: Real> Cluster<'a, T> {
                 }
             }
         }
+    }
+
+    /// The same cluster with the angular velocities of its balls.
+    pub fn turning(mut self, spin: impl Fn(usize) -> [T; 3]) -> Self {
+        self.spins = self.balls.iter().map(|ball| spin(*ball)).collect();
+        self
     }
 
     /// Contacts that approach, given these velocities.
@@ -168,10 +178,16 @@ impl<'a, T: Real> Cluster<'a, T> {
             tried: 0,
             result: None,
         };
-        !self.agree(&self.velocities, 0, &mut search)
+        !self.agree(&self.velocities, &self.spins, 0, &mut search)
     }
 
-    fn agree(&self, velocities: &[[T; 2]], depth: u32, search: &mut Search<T>) -> bool {
+    fn agree(
+        &self,
+        velocities: &[[T; 2]],
+        spins: &[[T; 3]],
+        depth: u32,
+        search: &mut Search<T>,
+    ) -> bool {
         let mut finished = true;
         for touch in self.live(velocities) {
             finished = false;
@@ -179,9 +195,9 @@ impl<'a, T: Real> Cluster<'a, T> {
             if search.tried > PATIENCE || depth > PATIENCE / 100 {
                 return false;
             }
-            let mut after = velocities.to_vec();
-            self.apply(touch, &mut after);
-            if !self.agree(&after, depth + 1, search) {
+            let (mut after, mut turning) = (velocities.to_vec(), spins.to_vec());
+            self.apply(touch, &mut after, &mut turning);
+            if !self.agree(&after, &turning, depth + 1, search) {
                 return false;
             }
         }
@@ -207,25 +223,29 @@ impl<'a, T: Real> Cluster<'a, T> {
     }
 
     /// One impact by its law.
-    pub fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]]) {
+    pub fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]], spins: &mut [[T; 3]]) {
         let world = self.world;
         let body = |member: usize| Body {
             velocity: spatial(velocities[member]),
-            spin: spatial([T::zero(); 2]),
+            spin: spins[member].into(),
             mass: world.mass[self.balls[member]],
             radius: world.radius[self.balls[member]],
         };
-        let plan = |motion: Motion<T>| [motion.velocity.x, motion.velocity.y];
+        let plan = |motion: &Motion<T>| [motion.velocity.x, motion.velocity.y];
         match touch {
             Touch::Pair(a, b, n) => {
                 if let Some(law) = world.contact {
-                    let (one, other) = contact::impact(law, None, &body(a), &body(b), &n);
-                    (velocities[a], velocities[b]) = (plan(one), plan(other));
+                    let friction = world.friction;
+                    let (one, other) = contact::impact(law, friction, &body(a), &body(b), &n);
+                    (velocities[a], velocities[b]) = (plan(&one), plan(&other));
+                    (spins[a], spins[b]) = (one.spin.into(), other.spin.into());
                 }
             }
             Touch::Cushion(a, side) => {
                 if let Some(law) = world.cushion {
-                    velocities[a] = plan(cushion::impact(law, &body(a), side).motion);
+                    let motion = cushion::impact(law, &body(a), side).motion;
+                    velocities[a] = plan(&motion);
+                    spins[a] = motion.spin.into();
                 }
             }
         }

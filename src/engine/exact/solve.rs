@@ -5,12 +5,13 @@
 
 use super::cells::{Cells, ENOUGH_BALLS};
 use super::collapse::Streaks;
-use super::flight::{Flight, Phase, state};
+use super::flight::Flight;
 use super::predict::{Near, Notes, View};
 use super::queue::{Candidate, Queue, What};
+use super::spin::Spin;
 use super::world::World;
 use crate::engine::Limits;
-use crate::math::Real;
+use crate::math::{Real, Vec3};
 use crate::physics::{Side, State};
 use crate::scene::Scene;
 use crate::trace::{Ending, Provenance, Record, Recorder, Spot, Trace};
@@ -41,6 +42,8 @@ pub struct Solver<'a, T: Real> {
     pub world: World<T>,
     /// What every ball does now.
     pub flights: Vec<Flight<T>>,
+    /// How every ball turns meanwhile; empty in a scene that does not call for rotation.
+    pub spins: Vec<Spin<T>>,
     /// Which balls a prediction looks at.
     pub partners: Partners,
 }
@@ -49,26 +52,56 @@ impl<'a, T: Real> Solver<'a, T> {
     /// A scene at time 0.
     pub fn new(scene: &'a Scene) -> Self {
         let world = World::new(scene);
-        let flights = world.first_flights(scene);
+        let (flights, spins) = world.first_flights(scene);
         Solver {
             scene,
             world,
             flights,
+            spins,
             partners: Partners::Auto,
         }
     }
 
     /// States at time 0, read back from the flights.
     pub fn states(&self) -> Vec<State> {
-        let read =
-            |(i, flight): (usize, &Flight<T>)| self.state(i, flight.position, flight.velocity);
+        let read = |(ball, flight): (usize, &Flight<T>)| {
+            self.state(ball, flight.position, flight.velocity, flight.start)
+        };
         self.flights.iter().enumerate().map(read).collect()
     }
 
-    /// A state in f64 for the trace, from centre and velocity in the plane.
-    pub fn state(&self, ball: usize, position: [T; 2], velocity: [T; 2]) -> State {
-        let given = &self.scene.balls[ball].state;
-        state(position, velocity, given.position.z, given.spin)
+    /// A state in f64 for the trace: centre and velocity in the plane as given, spin that of the ball's flight at time `t`.
+    pub fn state(&self, ball: usize, position: [T; 2], velocity: [T; 2], t: T) -> State {
+        self.state_with(ball, position, velocity, self.spin_at(ball, t))
+    }
+
+    /// A state in f64 for the trace.
+    pub fn state_with(
+        &self,
+        ball: usize,
+        position: [T; 2],
+        velocity: [T; 2],
+        spin: [T; 3],
+    ) -> State {
+        let height = self.scene.balls[ball].state.position.z;
+        State {
+            position: Vec3::new(position[0].to_f64(), position[1].to_f64(), height),
+            velocity: Vec3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
+            spin: spin.map(T::to_f64).into(),
+        }
+    }
+
+    /// Angular velocity of a ball at time `t` of its flight, rad/s; zero in a scene that does not call for rotation.
+    pub fn spin_at(&self, ball: usize, t: T) -> [T; 3] {
+        match self.spins.get(ball) {
+            None => [T::zero(); 3],
+            Some(spin) => spin.after(t - self.flights[ball].start),
+        }
+    }
+
+    /// True while a ball moves or turns.
+    pub fn is_active(&self, ball: usize) -> bool {
+        self.flights[ball].moves() || self.spins.get(ball).is_some_and(Spin::turns)
     }
 
     /// Runs to an ending.
@@ -93,7 +126,9 @@ impl<'a, T: Real> Solver<'a, T> {
                 near: Vec::new(),
             },
             now: T::zero(),
-            moving: self.flights.iter().filter(|f| f.moves()).count(),
+            moving: (0..n).filter(|ball| self.is_active(*ball)).count(),
+            turned: Vec::new(),
+            pocketed: vec![false; n],
             streaks: Streaks::new(n),
             recorder,
             counts: Counts::default(),
@@ -119,6 +154,19 @@ pub struct Counts {
     pub cell_layouts: u64,
 }
 
+/// How a ball turns on both sides of an impact.
+#[derive(Clone, Copy, Debug)]
+pub struct Turned<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// What it did until now.
+    pub spin: Spin<T>,
+    /// Angular velocity on the near side.
+    pub before: [T; 3],
+    /// Angular velocity on the far side.
+    pub after: [T; 3],
+}
+
 /// A run under way.
 pub struct Loop<'a, T: Real> {
     /// Scene, world and flights.
@@ -135,8 +183,12 @@ pub struct Loop<'a, T: Real> {
     pub cells: Option<Cells>,
     /// The partners of the prediction at hand.
     pub nearby: Vec<u32>,
-    /// Balls in motion.
+    /// Balls that move or turn.
     pub moving: usize,
+    /// How the balls of the impact at hand turn, in a scene that calls for rotation.
+    pub turned: Vec<Turned<T>>,
+    /// Balls that have left play.
+    pub pocketed: Vec<bool>,
     /// How often each ball was hit without time passing.
     pub streaks: Streaks<T>,
     /// The trace.
@@ -180,7 +232,9 @@ impl<T: Real> Loop<'_, T> {
             let ended = match next.what {
                 What::Pair(a, b) => self.pair(a as usize, b as usize),
                 What::Cushion(a, side) => self.cushion(a as usize, side),
-                What::End(a) => self.phase_end(a as usize),
+                What::Pocket(a, pocket) => self.pocket(a as usize, pocket),
+                What::End(a) if self.solver.spins.is_empty() => self.phase_end(a as usize),
+                What::End(a) => self.turn_end(a as usize),
                 What::UnclearPair(a, b) => Some(Ending::Undecidable(self.spot(
                     &[a as usize, b as usize],
                     "they pass so closely, or so slowly, that rounding decides whether they touch",
@@ -191,6 +245,10 @@ impl<T: Real> Loop<'_, T> {
                         "it stops so close to {} that rounding decides whether it touches",
                         side.id()
                     ),
+                ))),
+                What::UnclearPocket(a, pocket) => Some(Ending::Undecidable(self.spot(
+                    &[a as usize],
+                    &format!("it passes pocket p{pocket} so closely that rounding decides whether it falls"),
                 ))),
                 What::Leaving(..) | What::Nothing => None,
             };
@@ -221,6 +279,8 @@ impl<T: Real> Loop<'_, T> {
             }
             What::Cushion(..)
             | What::UnclearCushion(..)
+            | What::Pocket(..)
+            | What::UnclearPocket(..)
             | What::End(_)
             | What::Leaving(..)
             | What::Nothing => false,
@@ -320,31 +380,6 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    #[inline(never)]
-    fn phase_end(&mut self, ball: usize) -> Option<Ending> {
-        let flight = self.solver.flights[ball];
-        let zero = [T::zero(); 2];
-        let position = match flight.phase {
-            Phase::Slide => flight.rest_position(),
-            Phase::Free | Phase::Rest => flight.at(self.now).0,
-        };
-        self.solver.flights[ball] = Flight::new(self.solver.world.ground, self.now, position, zero);
-        self.versions[ball] = self.versions[ball].wrapping_add(1);
-        self.moving -= 1;
-        self.count_event();
-        let at_rest = self.solver.state(ball, position, zero);
-        let time = self.now.to_f64();
-        self.recorder.stop(ball, time, &at_rest, &at_rest);
-        self.notes.watch = Some(self.solver.world.blur.length);
-        self.notes.near.clear();
-        self.predict(ball, None);
-        self.notes.watch = None;
-        if self.notes.near.is_empty() {
-            return None;
-        }
-        self.stop_in_doubt(ball, &flight)
-    }
-
     /// Numbers whose products leave the range of the scalar cannot be run.
     fn unfit(&self) -> Option<Ending> {
         let solver = &self.solver;
@@ -404,7 +439,7 @@ impl<T: Real> Loop<'_, T> {
     pub fn finish(self, ending: Ending) -> Trace {
         let read = |ball: usize| {
             let (position, velocity) = self.solver.flights[ball].at(self.now);
-            self.solver.state(ball, position, velocity)
+            self.solver.state(ball, position, velocity, self.now)
         };
         let states: Vec<State> = (0..self.versions.len()).map(read).collect();
         let counters = BTreeMap::from([

@@ -9,6 +9,7 @@
 //! does not, which is the saltation matrix of an impact without writing it down.
 
 use super::flight::{Flight, Ground, Phase};
+use super::spin::{Moving, Rotation, Spin, Turn};
 use super::world::World;
 use crate::math::{Dual, Real};
 use crate::physics::{Body, Effects, Motion, Side, State, contact, cushion};
@@ -47,9 +48,6 @@ impl<'a> Script<'a> {
     }
 }
 
-/// Centre and velocity of a ball in the plane, with derivatives.
-pub type Motion2<const N: usize> = [[Dual<f64, N>; 2]; 2];
-
 /// A run being taken again, with `N` derivatives.
 #[derive(Debug)]
 pub struct Replay<'a, const N: usize> {
@@ -58,8 +56,12 @@ pub struct Replay<'a, const N: usize> {
     pub world: World<Dual<f64, N>>,
     /// What every ball does, since its own last event.
     pub flights: Vec<Flight<Dual<f64, N>>>,
+    /// How every ball turns meanwhile; empty where the scene does not call for rotation.
+    pub spins: Vec<Spin<Dual<f64, N>>>,
     /// Change of the restitution of ball-ball impacts, and of ball-cushion impacts: 0 with its derivatives.
     pub restitution: [Dual<f64, N>; 2],
+    /// What the law of the last event may be off by, length/s; 0 for a law in closed form.
+    pub law_error: f64,
     next: usize,
 }
 
@@ -71,30 +73,37 @@ pub struct Rough {
 }
 
 impl<'a, const N: usize> Replay<'a, N> {
-    /// The run at time 0. `start` seeds the derivatives of a ball's centre and velocity.
+    /// The run at time 0. `start` seeds the derivatives of how a ball moves.
     pub fn new(
         script: &'a Script<'a>,
         effects: &Effects<Dual<f64, N>>,
-        start: impl Fn(usize, &mut Motion2<N>),
+        start: impl Fn(usize, &mut Moving<Dual<f64, N>>),
     ) -> Self {
         let scene = script.scene;
+        let gravity = Dual::lift(scene.gravity);
         let mut world = World::<Dual<f64, N>>::new(scene);
-        world.ground = Ground::new(effects, Dual::lift(scene.gravity));
-        let flight = |(ball, path): (usize, &crate::trace::Path)| {
-            let state = path.state_at(0.0).unwrap_or(scene.balls[ball].state);
-            let (r, v) = (state.position, state.velocity);
-            let mut motion = [[r.x, r.y], [v.x, v.y]].map(|pair| pair.map(Dual::constant));
-            start(ball, &mut motion);
-            depart(world.ground, Dual::zero(), motion)
-        };
-        let flights = script.trace.paths.iter().enumerate().map(flight).collect();
-        Replay {
+        world.ground = Ground::new(effects, gravity);
+        world.rotation = Rotation::new(effects, gravity);
+        world.contact = effects.contact;
+        world.friction = effects.friction;
+        world.cushion = effects.cushion;
+        let (flights, spins) = world.first_flights(scene);
+        let mut replay = Replay {
             script,
             world,
             flights,
+            spins,
             restitution: [Dual::zero(); 2],
+            law_error: 0.0,
             next: 0,
+        };
+        for (ball, path) in script.trace.paths.iter().enumerate() {
+            let state = path.state_at(0.0).unwrap_or(scene.balls[ball].state);
+            let mut moving = Moving::lifted(&state);
+            start(ball, &mut moving);
+            replay.depart(ball, Dual::zero(), moving);
         }
+        replay
     }
 
     /// Takes the next event and answers its time, s; `None` after the last.
@@ -102,28 +111,80 @@ impl<'a, const N: usize> Replay<'a, N> {
         let index = self.next;
         let event = self.script.trace.events.get(index)?;
         self.next += 1;
+        self.law_error = 0.0;
         let time = match event.kind {
             EventKind::BallBall(a, b) => self.meet(index, event.time, a as usize, b as usize),
             EventKind::BallCushion(a, side) => self.rebound(index, event.time, a as usize, side),
-            EventKind::Stop(a) => Some(self.stop(index, event.time, a as usize)),
-            // no law that is built has them
-            EventKind::SlideToRoll(_) | EventKind::SpinEnd(_) | EventKind::Pocket(..) => None,
+            EventKind::Stop(a) | EventKind::SlideToRoll(a) | EventKind::SpinEnd(a) => {
+                Some(self.end(index, event.time, a as usize))
+            }
+            EventKind::Pocket(a, pocket) => self.fall(event.time, a as usize, pocket as usize),
         };
         Some(time.ok_or(Rough { index }))
     }
 
-    /// Centre and velocity of every ball at time `t`, s, which does not move with the inputs.
-    pub fn states_at(&self, t: f64) -> Vec<Motion2<N>> {
-        let at = |flight: &Flight<Dual<f64, N>>| {
-            let (position, velocity) = flight.at(Dual::constant(t));
-            [position, velocity]
-        };
-        self.flights.iter().map(at).collect()
+    /// How every ball moves at time `t`, s, which does not change with the inputs.
+    pub fn states_at(&self, t: f64) -> Vec<Moving<Dual<f64, N>>> {
+        let t = Dual::constant(t);
+        (0..self.flights.len())
+            .map(|ball| self.state_at(ball, t))
+            .collect()
     }
 
-    /// Puts a ball on another flight.
-    pub fn restart(&mut self, ball: usize, start: Dual<f64, N>, motion: Motion2<N>) {
-        self.flights[ball] = depart(self.world.ground, start, motion);
+    fn state_at(&self, ball: usize, t: Dual<f64, N>) -> Moving<Dual<f64, N>> {
+        let flight = &self.flights[ball];
+        let (position, velocity) = flight.at(t);
+        let spin = match self.spins.get(ball) {
+            None => [Dual::zero(); 3],
+            Some(spin) => spin.after(t - flight.start),
+        };
+        Moving {
+            position,
+            velocity,
+            spin,
+        }
+    }
+
+    /// How a ball set out on its flight.
+    pub fn set_out(&self, ball: usize) -> Moving<Dual<f64, N>> {
+        let flight = &self.flights[ball];
+        Moving {
+            position: flight.position,
+            velocity: flight.velocity,
+            spin: self
+                .spins
+                .get(ball)
+                .map_or([Dual::zero(); 3], |spin| spin.start),
+        }
+    }
+
+    /// Puts a ball on another flight. Without friction a ball at rest moves as soon as its velocity is changed; on a cloth such a
+    /// change is gone before it has moved the ball at first order.
+    pub fn depart(&mut self, ball: usize, start: Dual<f64, N>, moving: Moving<Dual<f64, N>>) {
+        let Moving {
+            position, velocity, ..
+        } = moving;
+        let (flight, free) = match &self.world.rotation {
+            None => {
+                let ground = self.world.ground;
+                let free = ground == Ground::Frictionless;
+                (Flight::new(ground, start, position, velocity), free)
+            }
+            Some(rotation) => {
+                let radius = self.world.radius[ball];
+                let (flight, spin) = rotation.depart(radius, start, moving);
+                self.spins[ball] = spin;
+                (flight, rotation.slide.is_zero() && rotation.roll.is_zero())
+            }
+        };
+        self.flights[ball] = match free {
+            true => Flight {
+                velocity,
+                phase: Phase::Free,
+                ..flight
+            },
+            false => flight,
+        };
     }
 
     fn meet(&mut self, index: usize, t: f64, a: usize, b: usize) -> Option<Dual<f64, N>> {
@@ -135,16 +196,19 @@ impl<'a, const N: usize> Replay<'a, N> {
         let f = p[0] * p[0] + p[1] * p[1] - distance * distance;
         let slope = (p[0] * v[0] + p[1] * v[1]).value;
         let time = moved(t, &f, slope + slope)?;
-        let ((p, before), (q, other)) = (self.flights[a].at(time), self.flights[b].at(time));
-        let (x, y) = (q[0] - p[0], q[1] - p[1]);
+        let (one, other) = (self.state_at(a, time), self.state_at(b, time));
+        let (x, y) = (
+            other.position[0] - one.position[0],
+            other.position[1] - one.position[1],
+        );
         let apart = (x * x + y * y).sqrt();
         let n = Vector3::new(x / apart, y / apart, Dual::zero());
-        let (one, two) =
-            contact::impact(law, None, &self.body(a, before), &self.body(b, other), &n);
+        let (first, second) = (self.body(a, &one), self.body(b, &other));
+        let motions = contact::impact(law, self.world.friction, &first, &second, &n);
         let change = self.restitution[0];
         let sides = [
-            (a, p, restored(before, &one, change)),
-            (b, q, restored(other, &two, change)),
+            (a, left(&one, &motions.0, change)),
+            (b, left(&other, &motions.1, change)),
         ];
         self.leave(index, time, &sides)?;
         Some(time)
@@ -157,33 +221,63 @@ impl<'a, const N: usize> Replay<'a, N> {
         let (position, velocity) = self.flights[a].at(Dual::constant(t));
         let beyond = outward(position[axis] - self.world.reach[a][side as usize]);
         let time = moved(t, &-beyond, -outward(velocity[axis]).value)?;
-        let (position, before) = self.flights[a].at(time);
-        let after = cushion::impact(law, &self.body(a, before), side).motion;
-        let after = restored(before, &after, self.restitution[1]);
-        self.leave(index, time, &[(a, position, after)])?;
+        let before = self.state_at(a, time);
+        let rebound = cushion::impact(law, &self.body(a, &before), side);
+        self.law_error = rebound.error;
+        let after = left(&before, &rebound.motion, self.restitution[1]);
+        self.leave(index, time, &[(a, after)])?;
         Some(time)
     }
 
-    /// The end of a slide; where an impact left the ball at rest, there is nothing more to do.
-    fn stop(&mut self, index: usize, t: f64, a: usize) -> Dual<f64, N> {
+    /// The end of a flight by itself; where an impact left the ball at rest, there is nothing more to do.
+    fn end(&mut self, index: usize, t: f64, a: usize) -> Dual<f64, N> {
         let flight = self.flights[a];
-        if flight.phase != Phase::Slide {
+        let ends = match self.spins.get(a) {
+            None => flight.phase == Phase::Slide,
+            // the second of two ends at one time finds the ball on its way already
+            Some(spin) => spin.turn != Turn::Never && flight.start.value < t,
+        };
+        if !ends {
             return flight.start;
         }
         let time = Dual {
             value: t,
             ..flight.end
         };
-        let mut motion = [flight.rest_position(), [Dual::zero(); 2]];
-        self.anchor(index, a, &mut motion);
-        self.flights[a] = depart(self.world.ground, time, motion);
+        let mut moving = match (&self.world.rotation, self.spins.get(a)) {
+            (Some(rotation), Some(spin)) => rotation.turned(self.world.radius[a], &flight, spin),
+            _ => Moving {
+                position: flight.rest_position(),
+                velocity: [Dual::zero(); 2],
+                spin: [Dual::zero(); 3],
+            },
+        };
+        self.anchor(index, a, &mut moving);
+        self.depart(a, time, moving);
         time
     }
 
-    fn body(&self, ball: usize, velocity: [Dual<f64, N>; 2]) -> Body<Dual<f64, N>> {
+    /// A ball enters a pocket, and stays where it left play.
+    fn fall(&mut self, t: f64, a: usize, pocket: usize) -> Option<Dual<f64, N>> {
+        let [x, y, radius] = *self.world.pockets.get(pocket)?;
+        let (position, velocity) = self.flights[a].at(Dual::constant(t));
+        let p = [x - position[0], y - position[1]];
+        let f = p[0] * p[0] + p[1] * p[1] - radius * radius;
+        let slope = -(p[0] * velocity[0] + p[1] * velocity[1]).value;
+        let time = moved(t, &f, slope + slope)?;
+        let mut moving = self.state_at(a, time);
+        moving.velocity = [Dual::zero(); 2];
+        moving.spin = [Dual::zero(); 3];
+        self.depart(a, time, moving);
+        self.flights[a].phase = Phase::Rest;
+        Some(time)
+    }
+
+    fn body(&self, ball: usize, moving: &Moving<Dual<f64, N>>) -> Body<Dual<f64, N>> {
+        let [x, y] = moving.velocity;
         Body {
-            velocity: Vector3::new(velocity[0], velocity[1], Dual::zero()),
-            spin: Vector3::new(Dual::zero(), Dual::zero(), Dual::zero()),
+            velocity: Vector3::new(x, y, Dual::zero()),
+            spin: moving.spin.into(),
             mass: self.world.mass[ball],
             radius: self.world.radius[ball],
         }
@@ -194,28 +288,31 @@ impl<'a, const N: usize> Replay<'a, N> {
         &mut self,
         index: usize,
         time: Dual<f64, N>,
-        sides: &[(usize, [Dual<f64, N>; 2], [Dual<f64, N>; 2])],
+        sides: &[(usize, Moving<Dual<f64, N>>)],
     ) -> Option<()> {
         let most = SAME_VELOCITY * self.world.fastest.value;
-        for (ball, position, velocity) in sides {
-            let mut motion = [*position, *velocity];
-            self.anchor(index, *ball, &mut motion);
-            let off = [0, 1].map(|i| (motion[1][i].value - velocity[i].value).abs());
+        for (ball, after) in sides {
+            let mut moving = *after;
+            self.anchor(index, *ball, &mut moving);
+            let off = [0, 1].map(|i| (moving.velocity[i].value - after.velocity[i].value).abs());
             if off[0] > most || off[1] > most {
                 return None;
             }
-            self.flights[*ball] = depart(self.world.ground, time, motion);
+            self.depart(*ball, time, moving);
         }
         Some(())
     }
 
     /// Sets the values to those of the trace on the far side of an event.
-    fn anchor(&self, index: usize, ball: usize, motion: &mut Motion2<N>) {
+    fn anchor(&self, index: usize, ball: usize, moving: &mut Moving<Dual<f64, N>>) {
         let known = self.script.far[index].iter().find(|side| side.0 == ball);
         if let Some((_, state)) = known {
             for axis in 0..2 {
-                motion[0][axis].value = state.position[axis];
-                motion[1][axis].value = state.velocity[axis];
+                moving.position[axis].value = state.position[axis];
+                moving.velocity[axis].value = state.velocity[axis];
+            }
+            for axis in 0..3 {
+                moving.spin[axis].value = state.spin[axis];
             }
         }
     }
@@ -229,30 +326,18 @@ fn moved<const N: usize>(t: f64, f: &Dual<f64, N>, slope: f64) -> Option<Dual<f6
     })
 }
 
-/// The velocity after an impact whose restitution changes by `change`: every law's impulse goes with 1 + e, and e is 1.
-fn restored<const N: usize>(
-    before: [Dual<f64, N>; 2],
+/// How a ball moves after an impact whose restitution changes by `change`: an elastic impulse goes with 1 + e, and e is 1.
+fn left<const N: usize>(
+    before: &Moving<Dual<f64, N>>,
     motion: &Motion<Dual<f64, N>>,
     change: Dual<f64, N>,
-) -> [Dual<f64, N>; 2] {
+) -> Moving<Dual<f64, N>> {
     let factor = Dual::one() + change / Dual::lift(2.0);
-    [0, 1].map(|i| before[i] + (motion.velocity[i] - before[i]) * factor)
-}
-
-/// A flight with its derivatives. Without friction a ball at rest moves as soon as its velocity is changed; on a cloth such a
-/// change is gone before it has moved the ball at first order.
-fn depart<const N: usize>(
-    ground: Ground<Dual<f64, N>>,
-    start: Dual<f64, N>,
-    [position, velocity]: Motion2<N>,
-) -> Flight<Dual<f64, N>> {
-    let flight = Flight::new(ground, start, position, velocity);
-    match ground {
-        Ground::Coulomb(_) => flight,
-        Ground::Frictionless => Flight {
-            velocity,
-            phase: Phase::Free,
-            ..flight
-        },
+    let velocity =
+        [0, 1].map(|i| before.velocity[i] + (motion.velocity[i] - before.velocity[i]) * factor);
+    Moving {
+        position: before.position,
+        velocity,
+        spin: motion.spin.into(),
     }
 }

@@ -1,10 +1,11 @@
 //! What stays the same during a run: balls, edges and laws in the scalar of the run, and what that scalar can tell apart.
 
 use super::flight::{Flight, Ground};
+use super::spin::{Moving, Rotation, Spin};
 use crate::math::Real;
 use crate::math::first_root::Blur;
 use crate::physics::contact::plan_distance;
-use crate::physics::{Contact, Cushion, Side};
+use crate::physics::{Contact, Cushion, Friction, Side};
 use crate::scene::Scene;
 
 /// Roundings that a coordinate has seen when it enters a decision: two products, two sums.
@@ -19,12 +20,20 @@ pub struct World<T> {
     pub mass: Vec<T>,
     /// Where a centre may be: for each ball the limits at x0, x1, y0, y1. Empty without cushions.
     pub reach: Vec<[T; 4]>,
-    /// The cloth.
+    /// Where the centre of every ball may be: the same limits for the largest. `None` without cushions.
+    pub within_all_reach: Option<[T; 4]>,
+    /// The cloth under balls that do not turn.
     pub ground: Ground<T>,
+    /// The cloth under balls that do; `None` in a scene that does not call for rotation.
+    pub rotation: Option<Rotation<T>>,
     /// The law of ball-ball impacts; without one, balls pass through each other.
     pub contact: Option<Contact<T>>,
+    /// Friction between balls that meet.
+    pub friction: Option<Friction<T>>,
     /// The law of cushions.
     pub cushion: Option<Cushion<T>>,
+    /// Pockets: x, y and radius.
+    pub pockets: Vec<[T; 3]>,
     /// Contact distance if all radii are equal.
     same_distance: Option<T>,
     /// Gap within which surfaces touch, length.
@@ -77,7 +86,9 @@ impl<T: Real> World<T> {
         } else {
             scene.largest_coordinate() + travel
         };
+        let largest = radius.iter().copied().fold(T::zero(), T::at_least);
         World {
+            within_all_reach: reach(largest).filter(|_| bounded),
             mass: scene.balls.iter().map(|b| lift(b.mass)).collect(),
             reach: if bounded {
                 radius.iter().filter_map(|r| reach(*r)).collect()
@@ -85,8 +96,13 @@ impl<T: Real> World<T> {
                 Vec::new()
             },
             ground,
+            rotation: Rotation::new(&effects, lift(scene.gravity)),
             contact: effects.contact,
+            friction: effects.friction,
             cushion: effects.cushion,
+            pockets: effects
+                .pockets
+                .map_or_else(Vec::new, |pockets| pockets.circles),
             same_distance: scene
                 .equal_radii()
                 .then(|| plan_distance(radius[0], radius[0])),
@@ -123,18 +139,21 @@ impl<T: Real> World<T> {
         self.blur.length.to_f64() + ROUNDINGS * clock * self.fastest.to_f64()
     }
 
-    /// The flights of all balls at time 0.
-    pub fn first_flights(&self, scene: &Scene) -> Vec<Flight<T>> {
-        let flight = |ball: &crate::scene::Ball| {
-            let (r, v) = (ball.state.position, ball.state.velocity);
-            Flight::new(
-                self.ground,
-                T::zero(),
-                [T::lift(r.x), T::lift(r.y)],
-                [T::lift(v.x), T::lift(v.y)],
-            )
-        };
-        scene.balls.iter().map(flight).collect()
+    /// What all balls do at time 0: flights, and spins where the scene calls for rotation.
+    pub fn first_flights(&self, scene: &Scene) -> (Vec<Flight<T>>, Vec<Spin<T>>) {
+        let states = scene.balls.iter().map(|ball| Moving::lifted(&ball.state));
+        match &self.rotation {
+            None => {
+                let flight =
+                    |m: Moving<T>| Flight::new(self.ground, T::zero(), m.position, m.velocity);
+                (states.map(flight).collect(), Vec::new())
+            }
+            Some(rotation) => {
+                let depart =
+                    |(moving, radius): (Moving<T>, &T)| rotation.depart(*radius, T::zero(), moving);
+                states.zip(&self.radius).map(depart).unzip()
+            }
+        }
     }
 
     /// Error of the time of an impact at time `t` with normal speed `speed`: that of the positions, and an ulp of the clock.

@@ -505,8 +505,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         if let EventKind::Stop(_) = kind {
             self.recorder.stop(ball, time, &state, &state);
         } else {
-            let event = self.recorder.event(time, kind, None);
-            self.recorder.jump(ball, time, &state, &state, event);
+            self.recorder.phase(ball, time, &state, &state, kind);
         }
     }
 
@@ -537,7 +536,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 continue;
             };
             let ball = self.balls.scene_index[i];
-            self.recorder.pocket(ball, time, &state, pocket);
+            self.recorder.pocket(ball, time, &state, pocket as u32);
             self.balls.remove(i);
             self.sizes.remove(i);
             for (_, limits) in &mut self.walls {

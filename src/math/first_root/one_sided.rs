@@ -51,6 +51,8 @@ struct Curve<T> {
     c2: T,
     /// Error of `f` near contact.
     blurred: T,
+    /// An ulp of `D^2`.
+    ulp: T,
 }
 
 /// A time with the value and slope of `f`.
@@ -78,6 +80,7 @@ impl<T: Real> Curve<T> {
             c1: dot(v, a) * T::lift(6.0),
             c2: dot(a, a) * T::lift(3.0),
             blurred: (distance + distance) * blur.length,
+            ulp: distance * distance * T::lift(T::ULP),
         }
     }
 
@@ -286,16 +289,20 @@ impl<T: Real> Curve<T> {
         self.finish(self.bisect(here.t, end), blur)
     }
 
-    /// True once one Newton step leaves nothing but rounding, or the root is passed by rounding.
+    /// True once a Newton step would leave about nothing but rounding, or the root is passed by rounding.
     fn converged(&self, here: &Point<T>) -> bool {
-        here.f <= T::zero() || (here.slope < T::zero() && self.is_tight(here))
+        if here.f <= T::zero() {
+            return true;
+        }
+        // s^2 f'' with s = f / f'; never true by products that vanish below the range of the scalar
+        let residual = here.f * here.f * self.curvature(here.t).abs();
+        here.slope < T::zero() && residual < here.slope * here.slope * self.ulp
     }
 
-    /// True if a Newton step from here is off by less than an ulp of `D^2`: `s^2 f'' / 2 + s^3 f''' / 6` with `s = f / f'`.
-    fn is_tight(&self, here: &Point<T>) -> bool {
-        let s = (here.f / here.slope).abs();
+    /// True if the Newton step `s` is off by less than an ulp of `D^2`: by `s^2 f'' / 2 + s^3 f''' / 6`.
+    fn is_tight(&self, here: &Point<T>, s: T) -> bool {
         let third = (self.c1 + (self.c2 + self.c2) * here.t).abs();
-        s * s * (self.curvature(here.t).abs() + s * third) <= self.square * T::lift(T::ULP)
+        s * s * (self.curvature(here.t).abs() + s.abs() * third) <= self.ulp
     }
 
     /// One Newton step, and whether the contact is deep and fast enough to be one.
@@ -304,19 +311,24 @@ impl<T: Real> Curve<T> {
             return Contact::Unclear(here.t);
         }
         let mut here = here;
-        if T::BITS > MANY_BITS || T::DIFFERENTIATES || !self.is_tight(&here) {
+        let mut inverse = T::one() / here.slope;
+        let mut step = here.f * inverse;
+        if T::BITS > MANY_BITS || T::DIFFERENTIATES || !self.is_tight(&here, step) {
             here = self.polished(here);
+            inverse = T::one() / here.slope;
+            step = here.f * inverse;
         }
         if T::DIFFERENTIATES {
             // the root moves as -(change of f) / f' when the step starts where nothing moves, and at the root itself: a start
             // that is off by s leaves an error of the order of s
             here = self.at(here.t.detached());
+            step = here.f / here.slope;
         }
-        let t = (here.t - here.f / here.slope).at_least(T::zero());
+        let t = (here.t - step).at_least(T::zero());
         let square = here.slope * here.slope;
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
-        // the condition under which `error::moved` has a bound for an error of the size of the blur
-        let around = (self.blurred + self.blurred) / here.slope;
+        // where this fails an error of the size of the blur moves the contact without bound: see `error.rs`
+        let around = (self.blurred + self.blurred) * inverse;
         let bend = self
             .curvature(t + around)
             .abs()

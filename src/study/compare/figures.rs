@@ -43,7 +43,8 @@ pub(super) fn thumbnail(outcome: &Outcome) -> Option<Figure> {
     ))
 }
 
-fn table_picture(scene: &Scene, trace: &Trace, id: &str) -> Figure {
+/// Paths and ends of all balls on the table, without words.
+pub(in crate::study) fn table_picture(scene: &Scene, trace: &Trace, id: &str) -> Figure {
     let unit = &scene.units.length;
     let mut series = Vec::new();
     let cue = scene.cue_ball();

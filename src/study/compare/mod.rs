@@ -6,9 +6,11 @@
 mod causes;
 mod figures;
 mod page;
+mod tables;
 mod words;
 
 pub use causes::Cause;
+pub(super) use figures::table_picture;
 pub use page::{LengthUnit, page, summary, thumbnail};
 pub use words::{
     describe_ending, describe_event, describe_growth, describe_kind, describe_order,

@@ -4,6 +4,7 @@
 //! of the bound that `math::first_root` derives for it, so that 1 is the law and nothing is tuned.
 
 mod slopes;
+mod theory;
 mod truth;
 
 use carom::math::first_root::{Approach, bracketed_contact};

@@ -1,0 +1,49 @@
+//! `carom effects`.
+
+use super::arguments::{EffectsArguments, parse_engines};
+use super::{Failure, output, scene, terminal};
+use crate::finding::Document;
+use crate::report;
+use crate::study::compare::plan;
+use crate::study::{Watch, curves, effects};
+use std::process::ExitCode;
+
+/// Prints which effects a shot needs, or the curves of the impact laws; writes the page if a folder is named.
+pub fn effects(arguments: &EffectsArguments) -> Result<ExitCode, Failure> {
+    let columns = plan(&parse_engines(&arguments.engines)?);
+    let threshold = arguments.threshold;
+    if !(threshold >= 0.0 && threshold.is_finite()) {
+        return Err(Failure::Message(format!(
+            "the threshold must be a finite number of R, 0 or greater, not {threshold}"
+        )));
+    }
+    let scene = match &arguments.scene {
+        Some(name) => Some(scene::resolve(name)?),
+        None => None,
+    };
+    let progress = terminal::Progress::new();
+    let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
+    let watch = Watch {
+        progress: &show,
+        cancelled: terminal::cancelled(),
+    };
+    let (summary, page): (Document, Document) = match scene {
+        Some(scene) => {
+            let outcome = effects::study(&scene, &columns, threshold, watch)?;
+            (effects::summary(&outcome), effects::page(&outcome))
+        }
+        None => {
+            let document = curves::study(&columns, watch)?;
+            (document.clone(), document)
+        }
+    };
+    drop(progress);
+    if let Some(folder) = &arguments.out {
+        output::write_files(folder, report::site(&page))?;
+    }
+    let printed = terminal::print(&report::render(&summary, &arguments.format).unwrap_or_default());
+    if let Some(folder) = &arguments.out {
+        terminal::say(&format!("Page: {}", folder.join("index.html").display()));
+    }
+    printed
+}

@@ -1,0 +1,485 @@
+//! The tables of a comparison, one function a table.
+
+use super::page::LengthUnit;
+use super::words::{describe_ending, describe_event, describe_order, describe_span};
+use super::{Entry, Outcome, Standing, figures, pair_label};
+use crate::engine::{Parameter, Role};
+use crate::finding::{Cell, Column, Table};
+
+/// How lengths are printed: a factor from R, and the unit's name.
+pub struct Scale {
+    factor: f64,
+    unit: String,
+}
+
+impl Scale {
+    /// The scale of a unit.
+    pub fn new(outcome: &Outcome, unit: LengthUnit) -> Self {
+        match unit {
+            LengthUnit::Radius => Scale {
+                factor: 1.0,
+                unit: "R".to_owned(),
+            },
+            LengthUnit::Scene => Scale {
+                factor: outcome.scene.smallest_radius(),
+                unit: outcome.scene.units.length.clone(),
+            },
+        }
+    }
+
+    fn cell(&self, in_radii: Option<f64>) -> Cell {
+        Cell::maybe(in_radii.map(|r| r * self.factor))
+    }
+
+    fn owned(&self, worst: Option<(f64, &str)>) -> Cell {
+        match worst {
+            Some((value, owner)) if !owner.is_empty() => {
+                Cell::Owned(value * self.factor, owner.to_owned())
+            }
+            Some((value, _)) => Cell::Number(value * self.factor),
+            None => Cell::Empty,
+        }
+    }
+}
+
+/// The main table: one row an engine.
+pub fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("stop-time", "stop time, worst (ball)", "s"),
+        Column::number(
+            "final-position",
+            "final position, worst (ball)",
+            &scale.unit,
+        ),
+        Column::words("order-strict", "order: strict"),
+        Column::words("order-tolerant", "with ties"),
+        Column::number("energy-gained", "energy gained", "E0"),
+        Column::number("unexplained", "unexplained", &scale.unit),
+        Column::number("time-per-shot", "time per shot", "us"),
+    ];
+    let mut rows = Vec::new();
+    for (i, entry) in outcome.entries.iter().enumerate() {
+        let label = entry.label();
+        let ran = match &entry.cell {
+            Ok(ran) => ran,
+            Err(refusal) => {
+                let mut row = vec![Cell::text(format!("{label}: {refusal}"))];
+                row.resize(columns.len(), Cell::Empty);
+                rows.push(row);
+                continue;
+            }
+        };
+        let named = if outcome.reference == Some(i) {
+            format!("{label} (reference)")
+        } else {
+            label.clone()
+        };
+        let of_order = |count: fn(&Standing) -> usize| {
+            let standing = entry.standing.as_ref();
+            standing.map_or(Cell::Empty, |s| {
+                Cell::text(describe_order(&s.order, count(s)))
+            })
+        };
+        let plain = |metric| outcome.worst(&label, metric).map(|(value, _)| value);
+        rows.push(vec![
+            Cell::text(named),
+            owned(outcome.worst(&label, "stop-time")),
+            scale.owned(outcome.worst(&label, "final-position")),
+            of_order(|s| s.order.strict),
+            of_order(|s| s.order.tolerant),
+            Cell::maybe(plain("energy-gained")),
+            scale.cell(plain("unexplained")),
+            Cell::maybe(ran.seconds.map(|s| s * 1e6)),
+        ]);
+    }
+    let note = "Differences from the reference; +n: collisions that it does not have. R: smallest radius; E0: initial energy; unexplained: motion between two \
+                records that the events do not account for.";
+    Table {
+        id: "comparison".to_owned(),
+        title: String::new(),
+        columns,
+        rows,
+        note: note.to_owned(),
+    }
+}
+
+fn owned(worst: Option<(f64, &str)>) -> Cell {
+    Scale {
+        factor: 1.0,
+        unit: String::new(),
+    }
+    .owned(worst)
+}
+
+/// Where each engine first differs from the reference, or the engines from each other, and why.
+pub fn first_differences(outcome: &Outcome) -> Option<Table> {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("event", "at event", ""),
+        Column::words("reference", "reference has"),
+        Column::words("engine-has", "engine has"),
+        Column::words("why", "why"),
+    ];
+    let mut rows = Vec::new();
+    let mut add = |label: String, standing: &Standing, ours: &Entry, theirs: &Entry| {
+        let Some(parting) = &standing.order.parting else {
+            return;
+        };
+        let Some((ours, theirs)) = ours.trace().zip(theirs.trace()) else {
+            return;
+        };
+        rows.push(vec![
+            Cell::text(label),
+            Cell::Count(parting.index as u64 + 1),
+            Cell::text(describe_event(parting.reference.as_ref(), theirs)),
+            Cell::text(describe_event(parting.event.as_ref(), ours)),
+            Cell::text(
+                standing
+                    .cause
+                    .as_ref()
+                    .map(super::Cause::sentence)
+                    .unwrap_or_default(),
+            ),
+        ]);
+    };
+    match outcome.reference {
+        Some(index) => {
+            for entry in &outcome.entries {
+                if let Some(standing) = &entry.standing {
+                    add(entry.label(), standing, entry, &outcome.entries[index]);
+                }
+            }
+        }
+        None => {
+            for pair in &outcome.pairs {
+                let (a, b) = (
+                    &outcome.entries[pair.entries.0],
+                    &outcome.entries[pair.entries.1],
+                );
+                add(pair_label(a, b), &pair.standing, a, b);
+            }
+        }
+    }
+    let title = "First difference in collision order".to_owned();
+    let note = match outcome.reference {
+        Some(_) => String::new(),
+        None => "Without a reference the second-named engine stands in its place.".to_owned(),
+    };
+    (!rows.is_empty()).then(|| Table {
+        id: "first-difference".to_owned(),
+        title,
+        columns,
+        rows,
+        note,
+    })
+}
+
+/// What each divergence is made of.
+pub fn attribution_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::number("step", "step", &scale.unit),
+        Column::number("timing", "timing", &scale.unit),
+        Column::number("arithmetic", "arithmetic", &scale.unit),
+        Column::number("model", "model", &scale.unit),
+        Column::number(
+            "until-parting",
+            "before the orders part and the horizon",
+            &scale.unit,
+        ),
+    ];
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(standing) = &entry.standing else {
+            continue;
+        };
+        let parts = &standing.attribution;
+        let before = outcome
+            .worst(&entry.label(), "until-parting")
+            .map(|(value, _)| value);
+        rows.push(vec![
+            Cell::text(entry.label()),
+            scale.cell(parts.step),
+            scale.cell(parts.timing),
+            scale.cell(parts.arithmetic),
+            scale.cell(parts.model),
+            scale.cell(before),
+        ]);
+    }
+    let model = match &outcome.scene.richer {
+        Some(name) => format!("model: exact here against exact in {name}."),
+        None => "model: name a richer scene to see it.".to_owned(),
+    };
+    let note = format!(
+        "step: final positions against exact. timing: largest error of an event's time x relative speed. arithmetic: f64 \
+         against f32. {model} They need not add up."
+    );
+    Table {
+        id: "attribution".to_owned(),
+        title: "What the divergence is made of".to_owned(),
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// Every pair of engines apart from the reference.
+pub fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
+    let columns = vec![
+        Column::words("pair", "pair"),
+        Column::number("stop-time", "stop time, worst (ball)", "s"),
+        Column::number(
+            "final-position",
+            "final position, worst (ball)",
+            &scale.unit,
+        ),
+        Column::words("order-strict", "order: strict"),
+        Column::words("order-tolerant", "with ties"),
+        Column::words("part", "part at"),
+    ];
+    let mut rows = Vec::new();
+    for pair in &outcome.pairs {
+        let label = pair_label(
+            &outcome.entries[pair.entries.0],
+            &outcome.entries[pair.entries.1],
+        );
+        let order = &pair.standing.order;
+        let part = match &order.parting {
+            Some(parting) => format!("event {}, {:.4} s", parting.index + 1, parting.time()),
+            None => "never".to_owned(),
+        };
+        rows.push(vec![
+            Cell::text(label.clone()),
+            owned(outcome.worst(&label, "stop-time")),
+            scale.owned(outcome.worst(&label, "final-position")),
+            Cell::text(describe_order(order, order.strict)),
+            Cell::text(describe_order(order, order.tolerant)),
+            Cell::text(part),
+        ]);
+    }
+    (!rows.is_empty()).then(|| Table {
+        id: "pairs".to_owned(),
+        title: "The engines against each other".to_owned(),
+        columns,
+        rows,
+        note: "Order is out of the second engine's collisions; ties within the sum of both resolutions.".to_owned(),
+    })
+}
+
+/// Stop time and final position of every ball in every engine.
+pub fn ball_table(outcome: &Outcome) -> Table {
+    let units = &outcome.scene.units;
+    let columns = vec![
+        Column::words("ball", "ball"),
+        Column::words("engine", "engine"),
+        Column::number("stop-time", "stopped at", &units.time),
+        Column::number("x", "x", &units.length),
+        Column::number("y", "y", &units.length),
+        Column::number("distance", "from the reference", "R"),
+    ];
+    let mut rows = Vec::new();
+    for (ball, id) in outcome.scene.balls.iter().map(|ball| &ball.id).enumerate() {
+        for entry in &outcome.entries {
+            let Some(trace) = entry.trace() else { continue };
+            let last = trace.final_states()[ball];
+            let label = entry.label();
+            let distance = outcome
+                .findings_of(&label, "final-position")
+                .find(|f| f.subject == *id);
+            rows.push(vec![
+                Cell::text(id.clone()),
+                Cell::text(label.clone()),
+                trace.stop_times[ball].map_or(Cell::Empty, |t| Cell::Fixed(t, 6)),
+                last.map_or(Cell::Empty, |s| Cell::Fixed(s.position.x, 6)),
+                last.map_or(Cell::Empty, |s| Cell::Fixed(s.position.y, 6)),
+                Cell::maybe(distance.and_then(|f| f.value)),
+            ]);
+        }
+    }
+    let title = "Where every ball stopped".to_owned();
+    Table {
+        id: format!("balls-{}", outcome.scene.name),
+        title,
+        columns,
+        rows,
+        note: String::new(),
+    }
+}
+
+/// The reference's events, with the time of the same event in every other engine.
+pub fn event_table(outcome: &Outcome) -> Table {
+    const MOST_ROWS: usize = 200;
+    let shown = outcome
+        .reference
+        .or_else(|| outcome.entries.iter().position(|e| e.trace().is_some()));
+    let id = format!("events-{}", outcome.scene.name);
+    let Some((index, trace)) = shown.and_then(|i| Some((i, outcome.entries[i].trace()?))) else {
+        return Table {
+            id,
+            ..Table::default()
+        };
+    };
+    let columns = vec![
+        Column::number("index", "#", ""),
+        Column::number("time", "time", &outcome.scene.units.time),
+        Column::words("kind", "kind"),
+        Column::words("who", "who"),
+    ];
+    let rows: Vec<Vec<Cell>> = trace
+        .events
+        .iter()
+        .enumerate()
+        .take(MOST_ROWS)
+        .map(|(k, event)| {
+            vec![
+                Cell::Count(k as u64),
+                Cell::Fixed(event.time, 9),
+                Cell::text(event.kind.id()),
+                Cell::text(figures::event_name(trace, k)),
+            ]
+        })
+        .collect();
+    let title = format!("Events of {}", outcome.entries[index].label());
+    let note = match trace.events.len() {
+        n if n > MOST_ROWS => format!("The first {MOST_ROWS} of {n}; `carom run` writes them all."),
+        _ => String::new(),
+    };
+    Table {
+        id,
+        title,
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// What every run says against itself.
+pub fn sanity_table(outcome: &Outcome, scale: &Scale) -> Table {
+    let metrics = [
+        ("energy-gained", "energy gained", "E0"),
+        ("momentum", "momentum", "m v0"),
+        ("overlap", "overlap", "R"),
+        ("overlap-by-parry", "overlap, by parry", "R"),
+        ("outside", "outside", "R"),
+        ("displaced", "displaced", "R"),
+        ("unexplained", "unexplained", "R"),
+    ];
+    let mut columns = vec![Column::words("engine", "engine")];
+    columns.extend(
+        metrics
+            .iter()
+            .map(|(key, title, unit)| Column::number(key, title, unit)),
+    );
+    columns.push(Column::words("ending", "ending"));
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(trace) = entry.trace() else { continue };
+        let label = entry.label();
+        let mut row = vec![Cell::text(label.clone())];
+        row.extend(
+            metrics
+                .iter()
+                .map(|(metric, _, _)| scale.owned(outcome.worst(&label, metric))),
+        );
+        row.push(Cell::text(describe_ending(trace)));
+        rows.push(row);
+    }
+    let note = "Largest value over the run. momentum: in an impact, beyond what other forces explain. displaced: jumps of a \
+                position, such as the stepper's wall clamp.";
+    let id = format!("sanity-{}", outcome.scene.name);
+    Table {
+        id,
+        title: String::new(),
+        columns,
+        rows,
+        note: note.to_owned(),
+    }
+}
+
+/// The parameter-equivalence sheet: one row a role, one column an engine.
+pub fn sheet(outcome: &Outcome) -> Table {
+    let ran: Vec<(String, &Vec<Parameter>)> = outcome
+        .entries
+        .iter()
+        .filter_map(|entry| Some((entry.label(), &entry.cell.as_ref().ok()?.sheet)))
+        .collect();
+    let mut columns = vec![Column::words("role", "what")];
+    columns.extend(
+        ran.iter()
+            .map(|(label, _)| Column::words(&label.replace(' ', "-"), label)),
+    );
+    let told = |sheet: &[Parameter], role: Role| {
+        let own = sheet.iter().filter(|p| p.role == role);
+        let text = own.map(|p| {
+            format!("{} = {} {}", p.name, p.value, p.unit)
+                .trim_end()
+                .to_owned()
+        });
+        text.collect::<Vec<_>>().join("; ")
+    };
+    let mut rows = Vec::new();
+    for role in Role::ALL {
+        let cells: Vec<String> = ran.iter().map(|(_, sheet)| told(sheet, role)).collect();
+        if cells.iter().all(String::is_empty) {
+            continue;
+        }
+        let mut row = vec![Cell::text(role.title())];
+        row.extend(cells.into_iter().map(|text| {
+            if text.is_empty() {
+                Cell::Empty
+            } else {
+                Cell::Text(text)
+            }
+        }));
+        rows.push(row);
+    }
+    let title = "Parameter-equivalence sheet".to_owned();
+    let note =
+        "Each row is one physical role; the cells say how each engine was given it.".to_owned();
+    Table {
+        id: format!("sheet-{}", outcome.scene.name),
+        title,
+        columns,
+        rows,
+        note,
+    }
+}
+
+/// Versions and every effective setting.
+pub fn settings(outcome: &Outcome) -> Table {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::words("version", "version"),
+        Column::words("resolution", "event times to"),
+        Column::words("settings", "settings"),
+    ];
+    let mut rows = Vec::new();
+    for entry in &outcome.entries {
+        let Some(trace) = entry.trace() else { continue };
+        let from = &trace.provenance;
+        let pairs: Vec<String> = from
+            .parameters
+            .iter()
+            .map(|(key, value)| format!("{key}={value}"))
+            .collect();
+        let resolution = match from.resolution {
+            0.0 => "rounding".to_owned(),
+            seconds => describe_span(seconds),
+        };
+        rows.push(vec![
+            Cell::text(entry.label()),
+            Cell::text(from.version.clone()),
+            Cell::Text(resolution),
+            Cell::Text(pairs.join(" ")),
+        ]);
+    }
+    let id = format!("settings-{}", outcome.scene.name);
+    Table {
+        id,
+        title: "Versions and settings".to_owned(),
+        columns,
+        rows,
+        note: String::new(),
+    }
+}

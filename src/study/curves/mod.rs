@@ -1,0 +1,253 @@
+//! Curves of the impact laws: throw, squirt and rebound, against published formulas, an independent program and a paper.
+//!
+//! Plan: many small shots, each at one point of a curve, in every engine. Conclusion: the curves with the engines' points on them, and
+//! by how much each engine departs.
+
+mod rebound;
+mod shots_2014;
+mod squirt;
+mod throw;
+
+use super::matrix::{self, Column, Timing, Watch};
+use crate::finding::{
+    Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
+};
+use crate::scene::{Scene, SceneError};
+use crate::trace::{Record, Trace};
+
+/// Distance at which balls are put before an impact, m: what the cloth does on the way does not show in the digits of a curve.
+const GAP: f64 = 1e-9;
+
+/// Unit of angles.
+const DEGREES: &str = "degrees";
+
+/// One curve family: its picture and how far the engines are from it.
+#[derive(Debug, Default)]
+struct Curve {
+    figures: Vec<Figure>,
+    departures: Vec<Departure>,
+}
+
+/// What finds a family of curves.
+type Part = fn(&Lab<'_>) -> Result<Curve, SceneError>;
+
+/// How far something is from a curve.
+#[derive(Debug)]
+struct Departure {
+    /// Whose points.
+    who: String,
+    /// What they are held against.
+    from: &'static str,
+    /// Number of points.
+    points: usize,
+    /// The largest departure; `None` where there is no point.
+    largest: Option<f64>,
+    unit: &'static str,
+    /// Why points are missing, with their number.
+    missing: Vec<(String, usize)>,
+}
+
+/// Runs every point of every curve in the engines. Errors: a scene of the catalogue that is no scene.
+pub fn study(columns: &[Column], watch: Watch<'_>) -> Result<Document, SceneError> {
+    let mut found = Vec::new();
+    let parts: [(&str, Part); 3] = [
+        ("throw", throw::curve),
+        ("squirt", squirt::curve),
+        ("rebound", rebound::curve),
+    ];
+    let lab = Lab { columns, watch };
+    for (done, (name, part)) in parts.into_iter().enumerate() {
+        (watch.progress)(done, parts.len() + 1, name);
+        found.push((name, part(&lab)?));
+    }
+    (watch.progress)(parts.len(), parts.len() + 1, "five shots of a paper");
+    let shots = shots_2014::table(&lab)?;
+    Ok(page(&found, shots, columns))
+}
+
+/// Where points are run.
+struct Lab<'a> {
+    columns: &'a [Column],
+    watch: Watch<'a>,
+}
+
+impl Lab<'_> {
+    /// One shot in every engine: its trace, or why there is none.
+    fn run(&self, scene: &Scene) -> Vec<Result<Trace, String>> {
+        let silent = Watch {
+            progress: &|_, _, _| {},
+            cancelled: self.watch.cancelled,
+        };
+        let cells = matrix::run_row(scene, self.columns, Record::Events, Timing::None, silent);
+        let answer = |cell: matrix::Cell| match cell {
+            Ok(ran) => Ok(ran.trace),
+            Err(refusal) => Err(refusal.to_string()),
+        };
+        cells.into_iter().map(answer).collect()
+    }
+
+    /// The points that every engine gives for some shots, and how far they are from the curves.
+    ///
+    /// `shots`: place on the horizontal axis, scene, and what the curve says; `read`: the value of a trace, which has none where the
+    /// impact did not happen.
+    fn points(
+        &self,
+        shots: &[(f64, Scene, f64)],
+        from: &'static str,
+        unit: &'static str,
+        read: impl Fn(&Trace, f64) -> Option<f64>,
+    ) -> (Vec<Series>, Vec<Departure>) {
+        let mut series: Vec<Series> = Vec::new();
+        let mut departures: Vec<Departure> = Vec::new();
+        for column in self.columns {
+            series.push(Series {
+                name: column.label(),
+                points: Vec::new(),
+                style: Style::Points,
+            });
+            departures.push(Departure {
+                who: column.label(),
+                from,
+                points: 0,
+                largest: None,
+                unit,
+                missing: Vec::new(),
+            });
+        }
+        for (x, scene, curve) in shots {
+            for (k, answer) in self.run(scene).into_iter().enumerate() {
+                let value = answer.and_then(|trace| {
+                    read(&trace, *x).ok_or_else(|| "the impact did not happen".to_owned())
+                });
+                match value {
+                    Ok(value) => {
+                        series[k].points.push([*x, value]);
+                        departures[k].note((value - curve).abs());
+                    }
+                    Err(why) => departures[k].miss(why),
+                }
+            }
+        }
+        series.retain(|series| !series.points.is_empty());
+        (series, departures)
+    }
+}
+
+impl Departure {
+    fn note(&mut self, departure: f64) {
+        self.points += 1;
+        self.largest = Some(
+            self.largest
+                .map_or(departure, |most| crate::math::worse(most, departure)),
+        );
+    }
+
+    fn miss(&mut self, why: String) {
+        match self.missing.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, count)) => *count += 1,
+            None => self.missing.push((why, 1)),
+        }
+    }
+}
+
+/// Velocity of a ball just after its first collision; `None` where there was none.
+fn velocity_after(trace: &Trace, ball: usize) -> Option<crate::math::Vec3> {
+    let first = trace
+        .events
+        .iter()
+        .position(|event| event.kind.is_collision())?;
+    let mut knots = trace.paths.get(ball)?.knots.iter();
+    let far = knots.find(|knot| knot.after == Some(first as u32))?;
+    Some(far.state.velocity)
+}
+
+fn page(found: &[(&str, Curve)], shots: Table, columns: &[Column]) -> Document {
+    let mut blocks: Vec<Block> = Vec::new();
+    for (_, curve) in found {
+        blocks.extend(curve.figures.iter().cloned().map(Block::Figure));
+    }
+    blocks.push(Block::Table(departure_table(found)));
+    blocks.push(Block::Table(shots));
+    let labels: Vec<String> = columns
+        .iter()
+        .map(|c| c.label().replace(' ', ":"))
+        .collect();
+    blocks.push(Block::Command(format!(
+        "carom effects --curves --engines {}",
+        labels.join(",")
+    )));
+    Document {
+        id: "effect-curves".to_owned(),
+        title: "Throw, squirt and rebound against published curves".to_owned(),
+        lead: sentence(found),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+/// How far the first engine with points is from each curve.
+fn sentence(found: &[(&str, Curve)]) -> String {
+    let parts = found.iter().filter_map(|(name, curve)| {
+        let first = curve.departures.iter().find(|d| d.largest.is_some())?;
+        Some(format!(
+            "{name}: {} is within {:.1e} {} of the {}",
+            first.who, first.largest?, first.unit, first.from
+        ))
+    });
+    let mut text = parts.collect::<Vec<_>>().join("; ");
+    if let Some(first) = text.get_mut(0..1) {
+        first.make_ascii_uppercase();
+    }
+    text + "."
+}
+
+fn departure_table(found: &[(&str, Curve)]) -> Table {
+    let columns = vec![
+        TableColumn::words("curve", "curve"),
+        TableColumn::words("who", "points of"),
+        TableColumn::words("from", "held against"),
+        TableColumn::number("points", "points", ""),
+        TableColumn::number("largest", "largest departure", ""),
+        TableColumn::words("unit", "unit"),
+        TableColumn::words("missing", "missing"),
+    ];
+    let mut rows = Vec::new();
+    for (name, curve) in found {
+        for departure in &curve.departures {
+            let missing = departure
+                .missing
+                .iter()
+                .map(|(why, n)| format!("{n}: {why}"));
+            let missing = missing.collect::<Vec<_>>().join("; ");
+            rows.push(vec![
+                Cell::text(*name),
+                Cell::text(departure.who.clone()),
+                Cell::text(departure.from),
+                Cell::Count(departure.points as u64),
+                Cell::maybe(departure.largest),
+                Cell::text(departure.unit),
+                if missing.is_empty() {
+                    Cell::Empty
+                } else {
+                    Cell::verdict(Tone::Quiet, missing)
+                },
+            ]);
+        }
+    }
+    Table {
+        id: "departures".to_owned(),
+        title: "How far from the curves".to_owned(),
+        columns,
+        rows,
+        note: "A stepping engine sees a contact within its step, so that its impacts are off by about speed x dt.".to_owned(),
+    }
+}
+
+/// A line in a figure.
+fn line(name: impl Into<String>, points: Vec<[f64; 2]>, style: Style) -> Series {
+    Series {
+        name: name.into(),
+        points,
+        style,
+    }
+}
