@@ -520,7 +520,12 @@ fn cushions_rebound_as_their_laws_say() {
         let push = f64::min(mu * (1.0 + e) * cos, 2.0 / 7.0 * sin);
         let x = 1.0 - (1.0 + e) * cos * cos - push * sin;
         within("Han 2005, speed", after.velocity.x, x, ROUNDING);
-        within("Han 2005, spin", after.spin.y, -2.5 / R * push, ROUNDING / R);
+        within(
+            "Han 2005, spin",
+            after.spin.y,
+            -2.5 / R * push,
+            ROUNDING / R,
+        );
         assert_eq!(
             after.velocity.z, 0.0,
             "the table keeps the ball in its plane"
@@ -620,11 +625,6 @@ fn time_to_roll_and_final_position_converge_with_order_one() {
         times.push(time / f64::from(PHASES));
         places.push(place / f64::from(PHASES));
     }
-    println!(
-        "{times:?} {:.4?} {places:?} {:.4?}",
-        orders(&times),
-        orders(&places)
-    );
     for (dt, time) in STEPS.iter().zip(&times) {
         within("mean lateness of rolling in steps", time / dt, 0.5, 1e-9);
     }
@@ -634,12 +634,14 @@ fn time_to_roll_and_final_position_converge_with_order_one() {
     }
 }
 
-/// Where a ball ends that leaves an impact with this state: slide, then roll, in closed form.
-fn ends(state: &State, mu: Coefficients) -> Vec3 {
+/// Where a ball ends that leaves an impact with this state, and the speed with which it begins to roll: slide, then roll, in
+/// closed form.
+fn ends(state: &State, mu: Coefficients) -> (Vec3, f64) {
     let slip = rotational::slip_velocity(&state.velocity, &state.spin, R);
     let rolls = slid(state, R, mu, G, slide_time(slip.norm(), mu.mu_slide, G));
     let speed = rolls.velocity.norm();
-    rolls.position + rolls.velocity * (roll_distance(speed, mu.mu_roll, G) / speed)
+    let way = rolls.velocity * (roll_distance(speed, mu.mu_roll, G) / speed);
+    (rolls.position + way, speed)
 }
 
 #[test]
@@ -648,13 +650,19 @@ fn a_shot_with_throw_converges_with_order_one() {
     mu.mu_roll = 0.05;
     let a = mu.mu_slide * G;
     let (v, b) = (1.0, R);
-    let (law, friction) = (
-        Contact::Inelastic { e: 0.94 },
-        Friction::Constant { mu: 0.06 },
-    );
-    let (mut cues, mut objects) = (Vec::new(), Vec::new());
+    let law = Contact::Inelastic { e: 0.94 };
+    let friction = Friction::Constant { mu: 0.06 };
+    let body = |s: &State| Body {
+        velocity: s.velocity,
+        spin: s.spin,
+        mass: M,
+        radius: R,
+    };
+    // by ball and step size: mean distance from the closed form, and the most by which a saw tooth moves it, relative
+    let mut errors = [Vec::new(), Vec::new()];
+    let mut teeth = [0.0_f64; 2];
     for dt in STEPS {
-        let mut error = [0.0; 2];
+        let (mut error, mut tooth) = ([0.0; 2], [0.0; 2]);
         for k in 0..PHASES {
             // the contact lies at another place within the step each time: phases of the way that the ball makes in it
             let object = 0.1;
@@ -668,20 +676,12 @@ fn a_shot_with_throw_converges_with_order_one() {
             scene.effects.contact = Some(law);
             scene.effects.friction = Some(friction);
             let trace = simulate(&scene, dt, Record::Events);
-            let hits = trace.events.iter().filter(|e| e.kind.is_collision());
-            assert_eq!(hits.count(), 1, "dt {dt}, phase {k}");
+            assert_eq!(trace.collisions().count(), 1, "dt {dt}, phase {k}");
 
-            let way = nominal - start;
-            let t = (v - (v * v - 2.0 * a * way).sqrt()) / a;
+            let t = (v - (v * v - 2.0 * a * (nominal - start)).sqrt()) / a;
             let hit = slid(&scene.balls[0].state, R, mu, G, t);
-            let n = (scene.balls[1].state.position - hit.position).normalize();
-            let body = |s: &State| Body {
-                velocity: s.velocity,
-                spin: s.spin,
-                mass: M,
-                radius: R,
-            };
             let at_rest = scene.balls[1].state;
+            let n = (at_rest.position - hit.position).normalize();
             let (one, two) = contact::impact(law, Some(friction), &body(&hit), &body(&at_rest), &n);
             for (i, (ball, motion)) in [(hit, one), (at_rest, two)].into_iter().enumerate() {
                 let (Motion { velocity, spin }, _) = motion.on_cloth();
@@ -690,27 +690,31 @@ fn a_shot_with_throw_converges_with_order_one() {
                     velocity,
                     spin,
                 };
+                let (end, roll_speed) = ends(&state, mu);
                 let got = trace.final_states()[i].unwrap().position;
-                error[i] += (got - ends(&state, mu)).norm() / f64::from(PHASES);
+                error[i] += (got - end).norm() / f64::from(PHASES);
+                // slides begin at step ends, so they end at one place within their last step in all phases alike
+                tooth[i] = 0.5 * roll_speed * dt;
             }
         }
-        cues.push(error[0]);
-        objects.push(error[1]);
+        for i in 0..2 {
+            errors[i].push(error[i]);
+            teeth[i] = teeth[i].max(tooth[i] / error[i]);
+        }
     }
-    println!(
-        "{cues:?} {:.3?} {objects:?} {:.3?}",
-        orders(&cues),
-        orders(&objects)
-    );
-    // over five halvings the slope; single ratios still carry terms of second order and the saw tooth of two more clamps
-    for (what, errors) in [("cue ball", &cues), ("object ball", &objects)] {
-        let halvings = (STEPS.len() - 1) as f64;
+    let halvings = (STEPS.len() - 1) as f64;
+    for (errors, tooth) in errors.iter().zip(teeth) {
+        assert!(
+            tooth < 0.25,
+            "the saw tooth drowns the order: {tooth} of {errors:?}"
+        );
         let slope = (errors[0] / errors[STEPS.len() - 1]).log2() / halvings;
-        within(&format!("{what}: order of {errors:?}"), slope, 1.0, 0.05);
+        let bound = ((1.0 + tooth) / (1.0 - tooth)).log2() / halvings;
+        within(&format!("order of {errors:?}"), slope, 1.0, bound);
     }
 }
 
-/// Five balls, every law: inelastic contacts with throw, the cushion of Mathavan 2010, pockets in two corners.
+/// Five balls, every law: inelastic contacts with throw, the cushion of Mathavan 2010, pockets at both sides.
 fn busy() -> Scene {
     let balls = [
         ([-0.05, -0.3], [0.5, 4.0], [20.0, -15.0, 40.0]),
@@ -738,7 +742,7 @@ fn busy() -> Scene {
             height: 1.28,
         }),
         pockets: Some(Pockets {
-            circles: vec![[-0.4, -0.5, 0.07], [0.4, -0.5, 0.07]],
+            circles: vec![[-0.4, 0.0, 0.07], [0.4, 0.0, 0.07]],
         }),
     };
     scene.table = Some(Table {
@@ -751,6 +755,7 @@ fn busy() -> Scene {
 #[test]
 fn energy_never_grows_with_every_law_under_both_contact_rules() {
     let scene = busy();
+    let mut pocketed = 0;
     for rule in ["contact=as-written", APPROACHING] {
         for dt in [4e-3, 1e-3] {
             let trace = run(
@@ -760,16 +765,8 @@ fn energy_never_grows_with_every_law_under_both_contact_rules() {
                 Record::Every(dt),
             );
             let collisions = trace.collisions().count();
-            println!(
-                "{rule} {dt} {collisions} {:?}",
-                trace
-                    .events
-                    .iter()
-                    .filter(|e| e.kind.id() == "pocket")
-                    .count()
-            );
             assert!(
-                collisions > 10,
+                collisions >= 8,
                 "{rule}, dt {dt}: only {collisions} collisions"
             );
             let steps = (trace.end_time / dt).round() as u64;
@@ -796,8 +793,12 @@ fn energy_never_grows_with_every_law_under_both_contact_rules() {
             }
             assert!(trace.extrema.energy_gained.value <= slack * collisions as f64);
             assert_eq!(trace.ending, Ending::Rest);
+            pocketed += (0..scene.balls.len())
+                .filter(|&i| trace.pocketed(i))
+                .count();
         }
     }
+    assert!(pocketed > 0, "no ball met a pocket");
 }
 
 #[test]
@@ -889,7 +890,6 @@ fn with_rotation_too_unexplained_is_at_most_a_h_dt_over_2() {
         // a piece is at most one cadence long, and one step longer where a sample falls between two steps
         let bound = MU.mu_slide * G * (cadence + dt) * dt / 2.0;
         let found = trace.unexplained();
-        println!("{} {found:e} {bound:e}", scene.name);
         assert!(
             found > 0.1 * bound && found <= bound * (1.0 + 1e-9),
             "{}: {found:e}, bound {bound:e}",
