@@ -40,7 +40,9 @@ pub fn deepest_overlap(scene: &Scene, trace: &Trace) -> f64 {
     times.dedup();
     let mut deepest = 0.0;
     for t in times {
-        let states: Vec<Option<State>> = trace.paths.iter().map(|path| path.state_at(t)).collect();
+        let states: Vec<Option<State>> = (0..trace.paths.len())
+            .map(|ball| trace.in_play_at(ball, t))
+            .collect();
         deepest = worse(deepest, overlap_at(&shapes, &states));
     }
     deepest

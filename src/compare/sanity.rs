@@ -1,7 +1,8 @@
 //! What a trace says against itself: energy, momentum, overlap, bounds, motion that its events do not explain.
 
 use super::{Measured, Metric, Reads};
-use crate::math::worse;
+use crate::math::{Vec3, worse};
+use crate::physics::State;
 use crate::scene::Scene;
 use crate::trace::Trace;
 
@@ -26,10 +27,10 @@ pub const ENERGY_LEFT_OUT: Metric = Metric {
     reads: Reads::Pair(|c| {
         let energy = |trace: &Trace| -> f64 {
             let end = c.common_end().min(trace.end_time);
-            let states: Vec<_> = trace
-                .paths
-                .iter()
-                .filter_map(|path| path.state_at(end))
+            // a ball that left play took its energy with it
+            let at_rest = State::at_rest(Vec3::zeros());
+            let states: Vec<_> = (0..trace.paths.len())
+                .map(|ball| trace.in_play_at(ball, end).unwrap_or(at_rest))
                 .collect();
             c.scene.kinetic_energy(&states)
         };

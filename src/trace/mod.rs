@@ -193,6 +193,13 @@ impl Trace {
             .any(|event| matches!(event.kind, EventKind::Pocket(ball, _) if ball as usize == i))
     }
 
+    /// State of ball `i` at time `t`; `None` from the moment at which it left play.
+    pub fn in_play_at(&self, i: usize, t: f64) -> Option<State> {
+        let path = self.paths.get(i)?;
+        let left = self.pocketed(i) && path.knots.last().is_some_and(|last| t >= last.time);
+        if left { None } else { path.state_at(t) }
+    }
+
     /// The collision order: every ball-ball and ball-cushion event, in order.
     pub fn collisions(&self) -> impl Iterator<Item = &Event> {
         self.events.iter().filter(|event| event.kind.is_collision())

@@ -120,18 +120,21 @@ fn centre_hit_rolls_after_2v_over_7_mu_g_with_five_sevenths_of_speed_and_energy(
                 "{case}: rolls at {t}, exact {t_s}"
             );
             let state = trace.paths[0].state_at(t).unwrap();
+            // natural roll at t_s, and rolling for what is left of the step
+            let late = t - t_s;
+            let rolled = 5.0 / 7.0 * v - MU.mu_roll * G * late;
             within(
                 &format!("{case}: speed"),
                 state.velocity.y,
-                5.0 / 7.0 * v,
+                rolled,
                 ROUNDING,
             );
             let left = scene.kinetic_energy(&[state]) / scene.initial_energy();
-            within(&format!("{case}: energy left"), left, 5.0 / 7.0, ROUNDING);
+            let law = 5.0 / 7.0 * (rolled / (5.0 / 7.0 * v)).powi(2);
+            within(&format!("{case}: energy left"), left, law, ROUNDING);
             // 12 v^2 / (49 mu g) at t_s, and on from there
-            let late = t - t_s;
-            let rolled = 5.0 / 7.0 * v * late - 0.5 * MU.mu_roll * G * late * late;
-            let exact = 12.0 * v * v / (49.0 * a) + rolled;
+            let way = 5.0 / 7.0 * v * late - 0.5 * MU.mu_roll * G * late * late;
+            let exact = 12.0 * v * v / (49.0 * a) + way;
             // n whole steps of sliding fall short by a n dt^2 / 2, the step in which the slide ends by at most (a + a_roll) dt^2 / 2
             let short = exact - state.position.y;
             within(
@@ -164,7 +167,9 @@ fn any_spin_ends_as_natural_roll_v_minus_two_sevenths_of_the_slip() {
             "{v:?} {w:?}: {t}, {t_s}"
         );
         let state = trace.paths[0].state_at(t).unwrap();
+        // natural roll at t_s, and rolling for what is left of the step
         let roll = start.velocity - slip * (2.0 / 7.0);
+        let roll = roll - roll.normalize() * (MU.mu_roll * G * (t - t_s));
         // one rounding a step of sliding
         let steps = t / dt;
         let off = (state.velocity - roll).norm();
@@ -193,18 +198,20 @@ fn draw_slows_stops_dead_at_five_halves_and_comes_back_beyond() {
         let scene = one_ball([0.0, v], [k * v / R, 0.0, 0.0]);
         let trace = simulate(&scene, 1e-3, Record::Events);
         let rolled = v * (5.0 - 2.0 * k) / 7.0;
+        let slide = slide_time((1.0 + k) * v, MU.mu_slide, G);
         let speed = if k == 2.5 {
-            // what is left is rounding: the ball stops at once or within a step
-            let slide = slide_time((1.0 + k) * v, MU.mu_slide, G);
+            // what is left is rounding: the ball stops within the step
             let stop = trace.stop_times[0].unwrap();
             assert!(
-                stop >= slide - ROUNDING && stop <= slide + 2e-3,
+                stop >= slide - ROUNDING && stop <= slide + 1e-3 + ROUNDING,
                 "{stop} after {slide}"
             );
             0.0
         } else {
             let t = time_of(&trace, EventKind::SlideToRoll(0));
-            trace.paths[0].state_at(t).unwrap().velocity.y
+            // what it has lost by rolling for the rest of the step is given back
+            let got = trace.paths[0].state_at(t).unwrap().velocity.y;
+            got + (MU.mu_roll * G * (t - slide)).copysign(got)
         };
         within(&format!("draw {k}"), speed, rolled, ROUNDING);
         // the halt of a ball that comes back is no stop
@@ -615,11 +622,8 @@ fn time_to_roll_and_final_position_converge_with_order_one() {
             let roll = 5.0 / 7.0 * v;
             let exact = 12.0 * v * v / (49.0 * a) + roll * roll / (2.0 * a_roll);
             let short = exact - trace.final_states()[0].unwrap().position.y;
-            // slide: a t dt/2 short, and at most v_roll dt too far for rolling on in the step that ends it; roll: v_roll dt/2 short
-            assert!(
-                short.abs() <= 0.5 * v * dt + 2.0 * a * dt * dt,
-                "dt {dt}: {short:e}"
-            );
+            // slide: a t dt/2 short; roll: v_roll dt/2 short; together v dt/2, and some a dt^2/2 of steps that a phase ends in
+            within("short", short, 0.5 * v * dt, 2.0 * a * dt * dt);
             place += short;
         }
         times.push(time / f64::from(PHASES));
@@ -628,20 +632,18 @@ fn time_to_roll_and_final_position_converge_with_order_one() {
     for (dt, time) in STEPS.iter().zip(&times) {
         within("mean lateness of rolling in steps", time / dt, 0.5, 1e-9);
     }
-    // what is left is of relative size dt over the time to roll, 0.025 at the coarsest step
+    // terms of second order have the relative size of dt over the time to roll, 0.025 at the coarsest step
     for order in orders(&times).into_iter().chain(orders(&places)) {
         within("order", order, 1.0, 0.03);
     }
 }
 
-/// Where a ball ends that leaves an impact with this state, and the speed with which it begins to roll: slide, then roll, in
-/// closed form.
-fn ends(state: &State, mu: Coefficients) -> (Vec3, f64) {
+/// Where a ball ends that leaves an impact with this state: slide, then roll, in closed form.
+fn end(state: &State, mu: Coefficients) -> Vec3 {
     let slip = rotational::slip_velocity(&state.velocity, &state.spin, R);
     let rolls = slid(state, R, mu, G, slide_time(slip.norm(), mu.mu_slide, G));
     let speed = rolls.velocity.norm();
-    let way = rolls.velocity * (roll_distance(speed, mu.mu_roll, G) / speed);
-    (rolls.position + way, speed)
+    rolls.position + rolls.velocity * (roll_distance(speed, mu.mu_roll, G) / speed)
 }
 
 #[test]
@@ -658,11 +660,10 @@ fn a_shot_with_throw_converges_with_order_one() {
         mass: M,
         radius: R,
     };
-    // by ball and step size: mean distance from the closed form, and the most by which a saw tooth moves it, relative
+    // mean distance from the closed form, by ball and step size
     let mut errors = [Vec::new(), Vec::new()];
-    let mut teeth = [0.0_f64; 2];
     for dt in STEPS {
-        let (mut error, mut tooth) = ([0.0; 2], [0.0; 2]);
+        let mut error = [0.0; 2];
         for k in 0..PHASES {
             // the contact lies at another place within the step each time: phases of the way that the ball makes in it
             let object = 0.1;
@@ -690,26 +691,20 @@ fn a_shot_with_throw_converges_with_order_one() {
                     velocity,
                     spin,
                 };
-                let (end, roll_speed) = ends(&state, mu);
                 let got = trace.final_states()[i].unwrap().position;
-                error[i] += (got - end).norm() / f64::from(PHASES);
-                // slides begin at step ends, so they end at one place within their last step in all phases alike
-                tooth[i] = 0.5 * roll_speed * dt;
+                error[i] += (got - end(&state, mu)).norm() / f64::from(PHASES);
             }
         }
-        for i in 0..2 {
-            errors[i].push(error[i]);
-            teeth[i] = teeth[i].max(tooth[i] / error[i]);
+        for (of_ball, error) in errors.iter_mut().zip(error) {
+            of_ball.push(error);
         }
     }
+    // n phases sample the lateness of the contact, which is most of the error, to 1/n of its mean
+    let sampled = 1.0 / f64::from(PHASES);
     let halvings = (STEPS.len() - 1) as f64;
-    for (errors, tooth) in errors.iter().zip(teeth) {
-        assert!(
-            tooth < 0.25,
-            "the saw tooth drowns the order: {tooth} of {errors:?}"
-        );
+    let bound = ((1.0 + sampled) / (1.0 - sampled)).log2() / halvings;
+    for errors in &errors {
         let slope = (errors[0] / errors[STEPS.len() - 1]).log2() / halvings;
-        let bound = ((1.0 + tooth) / (1.0 - tooth)).log2() / halvings;
         within(&format!("order of {errors:?}"), slope, 1.0, bound);
     }
 }
@@ -874,6 +869,11 @@ fn a_pocketed_ball_leaves_play_and_the_next_one_follows_it_in() {
         (Some(0.0), &Ending::Rest)
     );
     assert_eq!(trace.end_time, trace.events[1].time);
+
+    // the second ball passed over the place where the first left play: nothing was there to meet or to overlap
+    let after = trace.events[0].time + 1e-9;
+    assert_eq!(trace.in_play_at(0, after), None);
+    assert_eq!(carom::compare::deepest_overlap(&scene, &trace), 0.0);
 
     let mut pared = trace;
     pared.pare();

@@ -2,8 +2,9 @@
 //!
 //! Every law follows the report's scheme: a rate times dt, taken at the start of the step, and a clamp where the rate would
 //! carry a motion through its end. A speed that would turn round becomes zero, a slip that would turn round becomes rolling
-//! with the velocity that the law gives whatever the friction (v - 2/7 u), a spin that would turn round becomes zero. So no
-//! step overshoots, and what ends does so in the step in which it should, with an error of first order in dt.
+//! with the velocity that the law gives whatever the friction (v - 2/7 u), for the rest of the step; a spin that would turn
+//! round becomes zero. So no step overshoots, and what ends does so in the step in which it should, with an error of first
+//! order in dt.
 
 use super::balls::Balls;
 use crate::math::Vec3;
@@ -152,6 +153,16 @@ impl Rotational {
         })
     }
 
+    /// Velocity of a ball that rolls after `time`; zero if it stops by then.
+    fn rolled(&self, velocity: Vec3, time: f64) -> Vec3 {
+        let (speed, lost) = (velocity.norm(), self.mu.mu_roll * self.gravity * time);
+        if speed <= lost {
+            Vec3::zeros()
+        } else {
+            velocity * (1.0 - lost / speed)
+        }
+    }
+
     /// Change of the slip in one step, length/s: it falls at 7/2 of the rate of the centre.
     fn slip_step(&self) -> f64 {
         3.5 * self.mu.mu_slide * self.gravity * self.dt
@@ -191,30 +202,30 @@ impl ClothStep for Rotational {
         let Rotational { mu, gravity, dt } = *self;
         let mut end = PhaseEnd::none(balls, i);
         let (Motion { velocity, spin }, radius) = (end.motion, balls.radius[i]);
-        let mut turning = spin;
-        let mut next = velocity;
-        if balls.slides(i) {
-            let slip = rotational::slip_velocity(&velocity, &spin, radius);
-            if slip.norm() <= self.slip_step() {
-                next = rotational::natural_roll(&velocity, &slip);
-                turning = rotational::rolling_spin(&next, radius);
-                end.stop = next == Vec3::zeros();
-                end.slide = !end.stop;
+        let slip = rotational::slip_velocity(&velocity, &spin, radius);
+        let sliding = balls.slides(i) && slip.norm() > self.slip_step();
+        let (next, mut turning) = if sliding {
+            let rates = rotational::sliding(&slip, &spin, radius, mu, gravity);
+            (
+                velocity + rates.acceleration * dt,
+                spin + rates.angular_acceleration * dt,
+            )
+        } else {
+            let next = if balls.slides(i) {
+                // it rolls for what is left of the step: without that a pair whose exchanges make it slip anew in every step
+                // would never lose its common velocity
+                let slid = rotational::slide_time(slip.norm(), mu.mu_slide, gravity);
+                self.rolled(
+                    rotational::natural_roll(&velocity, &slip),
+                    (dt - slid).max(0.0),
+                )
             } else {
-                let rates = rotational::sliding(&slip, &spin, radius, mu, gravity);
-                next += rates.acceleration * dt;
-                turning += rates.angular_acceleration * dt;
-            }
-        } else if velocity != Vec3::zeros() {
-            end.stop = velocity.norm() <= self.roll_step();
-            if end.stop {
-                next = Vec3::zeros();
-            } else {
-                next +=
-                    rotational::rolling(&velocity, &spin, radius, mu, gravity).acceleration * dt;
-            }
-            turning = rotational::rolling_spin(&next, radius);
-        }
+                self.rolled(velocity, dt)
+            };
+            end.stop = next == Vec3::zeros() && (balls.slides(i) || velocity != next);
+            end.slide = balls.slides(i) && !end.stop;
+            (next, rotational::rolling_spin(&next, radius))
+        };
         end.spin = spin.z != 0.0 && spin.z.abs() <= self.spin_step(radius);
         turning.z = if end.spin {
             0.0

@@ -146,7 +146,8 @@ pub(super) fn rms_speed(outcome: &Outcome) -> Figure {
         // a picture shows no more than a few hundred times
         let stride = times.len().div_ceil(600).max(1);
         let rms = |&t: &f64| {
-            let states = trace.paths.iter().filter_map(|path| path.state_at(t));
+            let balls = 0..trace.paths.len();
+            let states = balls.filter_map(|ball| trace.in_play_at(ball, t));
             let sum: f64 = states.map(|state| state.velocity.norm_squared()).sum();
             [t, (sum / trace.paths.len() as f64).sqrt()]
         };
