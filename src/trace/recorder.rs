@@ -107,7 +107,7 @@ impl Recorder {
     /// the step with the hit left it.
     pub fn pin(&mut self, ball: usize, time: f64, state: &State) {
         if self.record != Record::Final {
-            self.knot(ball, time, state);
+            add_knot(&mut self.paths[ball], time, state);
         }
     }
 
@@ -121,7 +121,7 @@ impl Recorder {
         if self.record == Record::Final {
             return;
         }
-        self.knot(ball, time, before);
+        add_knot(&mut self.paths[ball], time, before);
         self.paths[ball].knots.push(Knot {
             time,
             state: *after,
@@ -158,7 +158,7 @@ impl Recorder {
         let event = self.event(time, EventKind::Pocket(ball as u32, pocket), None);
         self.jump(ball, time, state, state, event);
         if self.record == Record::Final {
-            self.knot(ball, time, state);
+            add_knot(&mut self.paths[ball], time, state);
         }
         self.stop_times[ball] = None;
         self.pocketed[ball] = true;
@@ -175,16 +175,11 @@ impl Recorder {
         let Record::Every(cadence) = self.record else {
             return;
         };
-        for (ball, state) in states.iter().enumerate() {
-            if self.pocketed[ball] {
-                continue;
-            }
-            let resting = self.paths[ball]
-                .knots
-                .last()
-                .is_some_and(|knot| knot.state == *state);
+        let balls = self.paths.iter_mut().zip(states).zip(&self.pocketed);
+        for ((path, state), _) in balls.filter(|(_, pocketed)| !**pocketed) {
+            let resting = path.knots.last().is_some_and(|knot| knot.state == *state);
             if !resting {
-                self.knot(ball, time, state);
+                add_knot(path, time, state);
             }
         }
         // counted, not accumulated: the cadence must not drift
@@ -235,7 +230,7 @@ impl Recorder {
             if self.pocketed[ball] {
                 continue;
             }
-            self.knot(ball, time, state);
+            add_knot(&mut self.paths[ball], time, state);
             if state.speed() > self.provenance.rest_speed {
                 self.stop_times[ball] = None;
             }
@@ -253,20 +248,20 @@ impl Recorder {
             end_time: time,
         }
     }
+}
 
-    /// A knot that belongs to no event, unless the last one says the same already.
-    fn knot(&mut self, ball: usize, time: f64, state: &State) {
-        let knots = &mut self.paths[ball].knots;
-        let known = knots
-            .last()
-            .is_some_and(|knot| knot.time == time && knot.state == *state);
-        if !known {
-            knots.push(Knot {
-                time,
-                state: *state,
-                after: None,
-            });
-        }
+/// A knot that belongs to no event, unless the last one says the same already.
+fn add_knot(path: &mut Path, time: f64, state: &State) {
+    let known = path
+        .knots
+        .last()
+        .is_some_and(|knot| knot.time == time && knot.state == *state);
+    if !known {
+        path.knots.push(Knot {
+            time,
+            state: *state,
+            after: None,
+        });
     }
 }
 

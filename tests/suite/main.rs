@@ -30,6 +30,7 @@ mod scene_errors;
 mod scene_fuzz;
 mod scenes;
 mod stepper;
+mod stepper_effects;
 mod support;
 mod trace_files;
 mod transcription;

@@ -1,15 +1,42 @@
 //! What the cloth does in one step. It acts on every ball in every step, so it is the stepper's one type parameter.
+//!
+//! Every law follows the report's scheme: a rate times dt, taken at the start of the step, and a clamp where the rate would
+//! carry a motion through its end. A speed that would turn round becomes zero, a slip that would turn round becomes rolling
+//! with the velocity that the law gives whatever the friction (v - 2/7 u), a spin that would turn round becomes zero. So no
+//! step overshoots, and what ends does so in the step in which it should, with an error of first order in dt.
 
+use super::balls::Balls;
+use crate::math::Vec3;
+use crate::physics::Motion;
+use crate::physics::cloth::rotational::{self, Coefficients};
 use crate::physics::cloth::translational;
-use crate::physics::{Cloth, Effects};
 
-/// The report's friction step for the effects of a scene.
+/// The end of a phase of motion within a step.
+#[derive(Clone, Copy, Debug)]
+pub struct PhaseEnd {
+    /// Motion at the end of the step.
+    pub motion: Motion,
+    /// Whether a slide ended, and rolling begins.
+    pub slide: bool,
+    /// Whether the centre came to rest.
+    pub stop: bool,
+    /// Whether the spin about the vertical ended.
+    pub spin: bool,
+}
+
+/// The friction step of a cloth.
 pub trait ClothStep {
-    /// Speed after one step, length/s, for a ball of the given mass. At or below zero the ball stops.
-    fn slowed(&self, speed: f64, mass: f64) -> f64;
+    /// Takes every ball on by one step and answers how many move or spin. Balls of which some motion ends within the step are
+    /// left as they are, added to `ending`, and not counted.
+    fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize;
 
-    /// False when the cloth never changes a speed.
-    const ACTS: bool;
+    /// What a step in which some motion ends leaves of ball `i`.
+    fn end(&self, balls: &Balls, i: usize) -> PhaseEnd;
+
+    /// True when a ball that has come to a halt while it slides is set in motion again by its spin.
+    fn drives_slides(&self) -> bool {
+        false
+    }
 }
 
 /// Free flight.
@@ -17,44 +44,203 @@ pub trait ClothStep {
 pub struct NoCloth;
 
 impl ClothStep for NoCloth {
-    const ACTS: bool = false;
-    fn slowed(&self, speed: f64, _mass: f64) -> f64 {
-        speed
+    fn act(&self, balls: &mut Balls, _ending: &mut Vec<usize>) -> usize {
+        let moving = balls.moving_centres();
+        // spins that nothing slows, under balls that stand
+        let spinning = (0..balls.rotation.len())
+            .filter(|&i| balls.speed(i) == 0.0 && !balls.is_at_rest(i))
+            .count();
+        moving + spinning
+    }
+
+    fn end(&self, balls: &Balls, i: usize) -> PhaseEnd {
+        PhaseEnd::none(balls, i)
     }
 }
 
 /// `v <- (-mu g m dt + m v) / m`, to the letter: the mass is divided out after the sum, as the report does it.
 #[derive(Clone, Copy, Debug)]
 pub struct Translational {
-    mu: f64,
     /// mu g, length/s^2.
     deceleration: f64,
     dt: f64,
 }
 
 impl Translational {
-    /// The coefficient of friction.
-    pub fn mu(&self) -> f64 {
-        self.mu
+    /// The law with coefficient `mu` as a step of length `dt`.
+    pub fn new(mu: f64, gravity: f64, dt: f64) -> Self {
+        Translational {
+            deceleration: translational::deceleration(mu, gravity),
+            dt,
+        }
     }
 }
 
 impl ClothStep for Translational {
-    const ACTS: bool = true;
-    fn slowed(&self, speed: f64, mass: f64) -> f64 {
-        (-self.deceleration * mass * self.dt + mass * speed) / mass
+    fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
+        let mut moving = 0;
+        let velocities = balls.vx.iter_mut().zip(&mut balls.vy);
+        for (i, ((vx, vy), &mass)) in velocities.zip(&balls.mass).enumerate() {
+            let speed = (*vx * *vx + *vy * *vy).sqrt();
+            if speed == 0.0 {
+                continue;
+            }
+            let slowed = (-self.deceleration * mass * self.dt + mass * speed) / mass;
+            if slowed <= 0.0 {
+                ending.push(i);
+                continue;
+            }
+            let factor = slowed / speed;
+            *vx *= factor;
+            *vy *= factor;
+            moving += 1;
+        }
+        moving
+    }
+
+    fn end(&self, balls: &Balls, i: usize) -> PhaseEnd {
+        let mut end = PhaseEnd::none(balls, i);
+        end.motion.velocity = Vec3::zeros();
+        end.stop = true;
+        end
     }
 }
 
-/// The scene's cloth as a step of length `dt`, or `None` where nothing slows a ball.
-pub fn translational(effects: &Effects, gravity: f64, dt: f64) -> Option<Translational> {
-    match effects.cloth {
-        Some(Cloth::Translational { mu }) => Some(Translational {
-            mu,
-            deceleration: translational::deceleration(mu, gravity),
-            dt,
-        }),
-        // not built; `missing` names it
-        Some(Cloth::Rotational { .. }) | None => None,
+/// Slide, roll and spin-down.
+#[derive(Clone, Copy, Debug)]
+pub struct Rotational {
+    mu: Coefficients,
+    gravity: f64,
+    dt: f64,
+}
+
+impl Rotational {
+    /// The law as a step of length `dt`.
+    pub fn new(mu: Coefficients, gravity: f64, dt: f64) -> Self {
+        Rotational { mu, gravity, dt }
+    }
+
+    /// Motion after a step; `None` if some part of it ends within the step.
+    fn moved(&self, motion: &Motion, radius: f64, slides: bool) -> Option<Motion> {
+        let Rotational { mu, gravity, dt } = *self;
+        let Motion { velocity, spin } = *motion;
+        if spin.z != 0.0 && spin.z.abs() <= self.spin_step(radius) {
+            return None;
+        }
+        if slides {
+            let slip = rotational::slip_velocity(&velocity, &spin, radius);
+            if slip.norm() <= self.slip_step() {
+                return None;
+            }
+            let rates = rotational::sliding(&slip, &spin, radius, mu, gravity);
+            return Some(Motion {
+                velocity: velocity + rates.acceleration * dt,
+                spin: spin + rates.angular_acceleration * dt,
+            });
+        }
+        if velocity != Vec3::zeros() && velocity.norm() <= self.roll_step() {
+            return None;
+        }
+        let rates = rotational::rolling(&velocity, &spin, radius, mu, gravity);
+        let velocity = velocity + rates.acceleration * dt;
+        // a ball that rolls turns with its velocity: nothing accumulates
+        let mut turning = rotational::rolling_spin(&velocity, radius);
+        turning.z = spin.z + rates.angular_acceleration.z * dt;
+        Some(Motion {
+            velocity,
+            spin: turning,
+        })
+    }
+
+    /// Change of the slip in one step, length/s: it falls at 7/2 of the rate of the centre.
+    fn slip_step(&self) -> f64 {
+        3.5 * self.mu.mu_slide * self.gravity * self.dt
+    }
+
+    /// Change of the speed of a rolling ball in one step, length/s.
+    fn roll_step(&self) -> f64 {
+        self.mu.mu_roll * self.gravity * self.dt
+    }
+
+    /// Change of the spin about the vertical in one step, rad/s.
+    fn spin_step(&self, radius: f64) -> f64 {
+        rotational::spin_deceleration(self.mu.mu_spin, self.gravity, radius) * self.dt
+    }
+}
+
+impl ClothStep for Rotational {
+    fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
+        let mut moving = 0;
+        for i in 0..balls.len() {
+            let (motion, radius) = (balls.motion(i), balls.radius[i]);
+            if motion.velocity == Vec3::zeros() && motion.spin == Vec3::zeros() {
+                continue;
+            }
+            match self.moved(&motion, radius, balls.slides(i)) {
+                Some(moved) => {
+                    balls.keep_motion(i, &moved);
+                    moving += 1;
+                }
+                None => ending.push(i),
+            }
+        }
+        moving
+    }
+
+    fn end(&self, balls: &Balls, i: usize) -> PhaseEnd {
+        let Rotational { mu, gravity, dt } = *self;
+        let mut end = PhaseEnd::none(balls, i);
+        let (Motion { velocity, spin }, radius) = (end.motion, balls.radius[i]);
+        let mut turning = spin;
+        let mut next = velocity;
+        if balls.slides(i) {
+            let slip = rotational::slip_velocity(&velocity, &spin, radius);
+            if slip.norm() <= self.slip_step() {
+                next = rotational::natural_roll(&velocity, &slip);
+                turning = rotational::rolling_spin(&next, radius);
+                end.stop = next == Vec3::zeros();
+                end.slide = !end.stop;
+            } else {
+                let rates = rotational::sliding(&slip, &spin, radius, mu, gravity);
+                next += rates.acceleration * dt;
+                turning += rates.angular_acceleration * dt;
+            }
+        } else if velocity != Vec3::zeros() {
+            end.stop = velocity.norm() <= self.roll_step();
+            if end.stop {
+                next = Vec3::zeros();
+            } else {
+                next +=
+                    rotational::rolling(&velocity, &spin, radius, mu, gravity).acceleration * dt;
+            }
+            turning = rotational::rolling_spin(&next, radius);
+        }
+        end.spin = spin.z != 0.0 && spin.z.abs() <= self.spin_step(radius);
+        turning.z = if end.spin {
+            0.0
+        } else {
+            rotational::spun_down(spin.z, radius, mu.mu_spin, gravity, dt)
+        };
+        end.motion = Motion {
+            velocity: next,
+            spin: turning,
+        };
+        end
+    }
+
+    fn drives_slides(&self) -> bool {
+        self.mu.mu_slide * self.gravity > 0.0
+    }
+}
+
+impl PhaseEnd {
+    /// The motion of ball `i` as it is, and nothing that ends.
+    fn none(balls: &Balls, i: usize) -> Self {
+        PhaseEnd {
+            motion: balls.motion(i),
+            slide: false,
+            stop: false,
+            spin: false,
+        }
     }
 }

@@ -1,8 +1,9 @@
 //! Which pairs overlap, and what the report does to a pair that does.
 
 use super::ContactRule;
-use crate::physics::{self, Body, Contact};
-use nalgebra::{Vector2, Vector3};
+use crate::math::Vec3;
+use crate::physics::{self, Body, Contact, Friction, Motion};
+use nalgebra::Vector2;
 
 /// The squared distance below which a distance is less than `contact`: `sqrt(d2) < contact` exactly when `d2 < bound`.
 ///
@@ -58,6 +59,11 @@ impl Sizes {
     /// Distance of the centres of balls `i` and `j` below which they overlap, length.
     pub fn distance(&self, i: usize, j: usize) -> f64 {
         self.distances[self.class[i] * self.count + self.class[j]]
+    }
+
+    /// Forgets a ball that left play; those after it move up by one.
+    pub fn remove(&mut self, i: usize) {
+        self.class.remove(i);
     }
 
     /// Collects every overlapping pair (i < j), ordered by i and then j.
@@ -117,72 +123,65 @@ fn collect_row(
     }
 }
 
-/// One ball of an overlapping pair.
+/// What two balls do to each other.
 #[derive(Clone, Copy, Debug)]
-pub struct Partner {
-    /// Centre, length.
-    pub position: Vector2<f64>,
-    /// Velocity, length/s.
-    pub velocity: Vector2<f64>,
-    /// Mass.
-    pub mass: f64,
-    /// Radius, length.
-    pub radius: f64,
+pub struct Laws {
+    /// Along the line of centres.
+    pub contact: Contact,
+    /// Across it.
+    pub friction: Option<Friction>,
 }
 
-/// Velocities of both balls of an overlapping pair after the report's rule; `None` if it leaves them alone.
+/// Motions of both balls of an overlapping pair after the report's rule; `None` if it leaves them alone. `apart`: from the
+/// centre of the second ball to that of the first, in plan.
 ///
-/// Equal masses exchange their normal components in the report's words: `v1' = vt1 + vn2`, `v2' = vt2 + vn1`, with `n`
-/// the unit vector from ball 2 to ball 1. Coincident centres have no normal, and nothing happens.
+/// Smooth elastic balls of equal mass exchange their normal components in the report's words: `v1' = vt1 + vn2`,
+/// `v2' = vt2 + vn1`, with `n` the unit vector from ball 2 to ball 1. All others go by the impact laws of the scene. A pair that
+/// separates exchanges as written too, but does not rub: friction needs balls that press on each other, and a law that was
+/// given a pull would add energy. Coincident centres have no normal, and nothing happens.
 pub fn exchange(
     rule: ContactRule,
-    law: Contact,
-    first: &Partner,
-    second: &Partner,
-) -> Option<(Vector2<f64>, Vector2<f64>)> {
-    let apart = first.position - second.position;
+    laws: Laws,
+    apart: Vector2<f64>,
+    first: &Body,
+    second: &Body,
+) -> Option<(Motion, Motion)> {
     let distance = apart.norm();
     if distance == 0.0 {
         return None;
     }
     let n = apart / distance;
-    let (along1, along2) = (first.velocity.dot(&n), second.velocity.dot(&n));
-    if rule == ContactRule::ApproachingOnly && along1 - along2 >= 0.0 {
+    let (v1, v2) = (first.velocity.xy(), second.velocity.xy());
+    let (along1, along2) = (v1.dot(&n), v2.dot(&n));
+    let separating = along1 - along2 >= 0.0;
+    if rule == ContactRule::ApproachingOnly && separating {
         return None;
     }
-    let (v1, v2) = if first.mass == second.mass && law == (Contact::Elastic {}) {
+    let friction = laws.friction.filter(|_| !separating);
+    let smooth = laws.contact == (Contact::Elastic {}) && friction.is_none();
+    let (one, two) = if smooth && first.mass == second.mass {
         let (normal1, normal2) = (n * along1, n * along2);
+        let moved = |v: Vector2<f64>, spin| Motion {
+            velocity: Vec3::new(v.x, v.y, 0.0),
+            spin,
+        };
         (
-            first.velocity - normal1 + normal2,
-            second.velocity - normal2 + normal1,
+            moved(v1 - normal1 + normal2, first.spin),
+            moved(v2 - normal2 + normal1, second.spin),
         )
     } else {
-        by_law(law, first, second, -n)
+        let n = Vec3::new(-n.x, -n.y, 0.0);
+        physics::contact::impact(laws.contact, friction, first, second, &n)
     };
-    (v1 != first.velocity || v2 != second.velocity).then_some((v1, v2))
+    let changed = one != motion(first) || two != motion(second);
+    changed.then_some((one, two))
 }
 
-/// The impact law of the scene, for what the report's exchange does not cover. `n` points from ball 1 to ball 2.
-fn by_law(
-    law: Contact,
-    first: &Partner,
-    second: &Partner,
-    n: Vector2<f64>,
-) -> (Vector2<f64>, Vector2<f64>) {
-    let body = |p: &Partner| Body {
-        velocity: Vector3::new(p.velocity.x, p.velocity.y, 0.0),
-        spin: Vector3::zeros(),
-        mass: p.mass,
-        radius: p.radius,
-    };
-    let (a, b) = physics::contact::impact(
-        law,
-        None,
-        &body(first),
-        &body(second),
-        &Vector3::new(n.x, n.y, 0.0),
-    );
-    (a.velocity.xy(), b.velocity.xy())
+fn motion(body: &Body) -> Motion {
+    Motion {
+        velocity: body.velocity,
+        spin: body.spin,
+    }
 }
 
 #[cfg(test)]

@@ -1,113 +1,27 @@
 //! The step loop: the report's order of operations, and what each step tells the recorder.
 
-use super::cloth::{self, ClothStep, NoCloth};
-use super::contact::{Partner, Sizes, exchange};
-use super::{ContactRule, Launch, Settings};
+use super::balls::Balls;
+use super::cloth::{ClothStep, NoCloth, Rotational, Translational};
+use super::contact::{Laws, Sizes, exchange};
+use super::{Settings, sheet};
 use crate::engine::setting::parameters;
-use crate::engine::{Inside, Limits, PairMaterial, Parameter, Partner as Meets, Role, Run};
-use crate::math::Vec3;
-use crate::math::angle::unit_vector;
-use crate::physics::cue::speed_from_force;
-use crate::physics::{Body, Contact, Cushion, Side, State, cushion};
-use crate::scene::{Scene, Shot};
+use crate::engine::{Inside, Limits, Parameter, Run};
+use crate::physics::cloth::rotational::Coefficients;
+use crate::physics::{Cloth, Contact, Motion, Side, cushion, pockets};
+use crate::scene::Scene;
 use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
-use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
 /// A scene inside the stepper, before its first step.
 #[derive(Debug)]
 pub struct Stepping<'a> {
-    scene: &'a Scene,
-    settings: Settings,
+    /// What is simulated.
+    pub scene: &'a Scene,
+    /// How.
+    pub settings: Settings,
+    /// The balls before the first step.
+    pub balls: Balls,
     version: String,
-    balls: Balls,
-}
-
-/// The balls as arrays. Index 0 is the ball that was shot, the others follow in scene order: the report's order of pairs.
-#[derive(Clone, Debug)]
-struct Balls {
-    scene_index: Vec<usize>,
-    x: Vec<f64>,
-    y: Vec<f64>,
-    vx: Vec<f64>,
-    vy: Vec<f64>,
-    mass: Vec<f64>,
-    radius: Vec<f64>,
-}
-
-impl Balls {
-    fn new(scene: &Scene, settings: &Settings) -> Self {
-        let cue = scene.cue_ball();
-        let mut scene_index = vec![cue];
-        scene_index.extend((0..scene.balls.len()).filter(|&i| i != cue));
-        let ball = |&i: &usize| &scene.balls[i];
-        let column = |value: fn(&crate::scene::Ball) -> f64| {
-            scene_index.iter().map(|i| value(ball(i))).collect()
-        };
-        let mut balls = Balls {
-            x: column(|b| b.state.position.x),
-            y: column(|b| b.state.position.y),
-            vx: column(|b| b.state.velocity.x),
-            vy: column(|b| b.state.velocity.y),
-            mass: column(|b| b.mass),
-            radius: column(|b| b.radius),
-            scene_index,
-        };
-        if let (
-            Launch::AsWritten,
-            Some(Shot::Force {
-                angle_deg, force, ..
-            }),
-        ) = (settings.launch, scene.shot)
-        {
-            let speed = speed_from_force(force, settings.dt, balls.mass[0]);
-            let (c, s) = unit_vector(angle_deg);
-            (balls.vx[0], balls.vy[0]) = (speed * c, speed * s);
-        }
-        balls
-    }
-
-    fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    fn velocity(&self, i: usize) -> Vector2<f64> {
-        Vector2::new(self.vx[i], self.vy[i])
-    }
-
-    fn speed(&self, i: usize) -> f64 {
-        (self.vx[i] * self.vx[i] + self.vy[i] * self.vy[i]).sqrt()
-    }
-
-    fn energy(&self, i: usize) -> f64 {
-        0.5 * self.mass[i] * (self.vx[i] * self.vx[i] + self.vy[i] * self.vy[i])
-    }
-
-    fn partner(&self, i: usize) -> Partner {
-        Partner {
-            position: Vector2::new(self.x[i], self.y[i]),
-            velocity: self.velocity(i),
-            mass: self.mass[i],
-            radius: self.radius[i],
-        }
-    }
-
-    fn state(&self, i: usize) -> State {
-        State {
-            position: Vec3::new(self.x[i], self.y[i], self.radius[i]),
-            velocity: Vec3::new(self.vx[i], self.vy[i], 0.0),
-            spin: Vec3::zeros(),
-        }
-    }
-
-    /// States in scene order.
-    fn states(&self) -> Vec<State> {
-        let mut states = vec![State::at_rest(Vec3::zeros()); self.len()];
-        for (i, &ball) in self.scene_index.iter().enumerate() {
-            states[ball] = self.state(i);
-        }
-        states
-    }
 }
 
 impl<'a> Stepping<'a> {
@@ -136,140 +50,38 @@ impl<'a> Stepping<'a> {
 
 impl Run for Stepping<'_> {
     fn inside(&self) -> Inside {
-        let scene = self.scene;
-        let energy = (0..self.balls.len()).map(|i| self.balls.energy(i)).sum();
-        let mut balls = scene.balls.clone();
-        for (i, &ball) in self.balls.scene_index.iter().enumerate() {
-            balls[ball].state = self.balls.state(i);
-            balls[ball].mass = self.balls.mass[i];
-            balls[ball].radius = self.balls.radius[i];
-        }
-        let mut materials = Vec::new();
-        for ball in 0..balls.len() {
-            let mut meets = |partner, friction, restitution| {
-                materials.push(PairMaterial {
-                    ball,
-                    partner,
-                    friction,
-                    restitution,
-                });
-            };
-            if let Some(Contact::Elastic {}) = scene.effects.contact {
-                meets(Meets::Ball, 0.0, 1.0);
-            }
-            if let Some(cloth) =
-                cloth::translational(&scene.effects, scene.gravity, self.settings.dt)
-            {
-                meets(Meets::Cloth, cloth.mu(), 0.0);
-            }
-            if let Some(Cushion::Elastic {}) = scene.effects.cushion {
-                meets(Meets::Cushion, 0.0, 1.0);
-            }
-        }
-        let replaced = match self.settings.launch {
-            Launch::ContactTime => None,
-            Launch::AsWritten => Some(self.settings.dt),
-        };
-        Inside {
-            inertia: vec![None; balls.len()],
-            balls,
-            energy,
-            materials,
-            ulp: f64::EPSILON,
-            contact_time: replaced,
-        }
+        sheet::inside(self)
     }
 
     fn sheet(&self) -> Vec<Parameter> {
-        let scene = self.scene;
-        let settings = &self.settings;
-        let mut sheet = vec![
-            Parameter::new(Role::TimeStep, "dt", settings.dt, "s"),
-            Parameter::new(Role::Precision, "scalar", "f64", ""),
-            Parameter::new(Role::Rotation, "rotation", "none", ""),
-            Parameter::new(
-                Role::PositionCorrection,
-                "walls",
-                "a ball past a wall is moved to it",
-                "",
-            ),
-            Parameter::new(Role::Rest, "speed clamped at", 0, &scene.units.speed()),
-        ];
-        let launch = match (scene.shot, settings.launch) {
-            (Some(Shot::Force { force, .. }), Launch::AsWritten) => format!("{force} * dt / m"),
-            (
-                Some(Shot::Force {
-                    force,
-                    contact_time,
-                    ..
-                }),
-                Launch::ContactTime,
-            ) => {
-                format!("{force} * {contact_time} s / m")
-            }
-            _ => "velocity of the scene".to_owned(),
-        };
-        sheet.push(Parameter::new(Role::Launch, "launch", launch, ""));
-        let detection = match settings.contact {
-            ContactRule::AsWritten => "overlap at a step, every step",
-            ContactRule::ApproachingOnly => "overlap at a step, if approaching",
-        };
-        if scene.effects.contact.is_some() {
-            sheet.push(Parameter::new(
-                Role::ContactDetection,
-                "contact",
-                detection,
-                "",
-            ));
-            sheet.push(Parameter::new(
-                Role::BallRestitution,
-                "exchange of normal velocities",
-                "e = 1",
-                "",
-            ));
-            sheet.push(Parameter::new(
-                Role::BallFriction,
-                "tangential impulse",
-                0,
-                "",
-            ));
-        }
-        if let Some(cloth) = cloth::translational(&scene.effects, scene.gravity, settings.dt) {
-            sheet.push(Parameter::new(Role::ClothFriction, "mu", cloth.mu(), ""));
-            sheet.push(Parameter::new(
-                Role::Gravity,
-                "g",
-                scene.gravity,
-                &scene.units.acceleration(),
-            ));
-        }
-        if scene.effects.cushion.is_some() {
-            sheet.push(Parameter::new(
-                Role::CushionRestitution,
-                "component turned inward",
-                "e = 1",
-                "",
-            ));
-            sheet.push(Parameter::new(
-                Role::CushionFriction,
-                "tangential impulse",
-                0,
-                "",
-            ));
-        }
-        sheet
+        sheet::sheet(self.scene, &self.settings)
     }
 
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
         let recorder = Recorder::new(self.scene, self.provenance(), record, &self.balls.states());
-        match cloth::translational(&self.scene.effects, self.scene.gravity, self.settings.dt) {
-            Some(cloth) => Loop::new(&self, cloth, recorder).run(limits),
+        let (gravity, dt) = (self.scene.gravity, self.settings.dt);
+        match self.scene.effects.cloth {
             None => Loop::new(&self, NoCloth, recorder).run(limits),
+            Some(Cloth::Translational { mu }) => {
+                Loop::new(&self, Translational::new(mu, gravity, dt), recorder).run(limits)
+            }
+            Some(Cloth::Rotational {
+                mu_slide,
+                mu_roll,
+                mu_spin,
+            }) => {
+                let mu = Coefficients {
+                    mu_slide,
+                    mu_roll,
+                    mu_spin,
+                };
+                Loop::new(&self, Rotational::new(mu, gravity, dt), recorder).run(limits)
+            }
         }
     }
 }
 
-/// A contact episode: from the first exchange of a pair until it no longer overlaps.
+/// A contact episode: from the first exchange of a pair until it no longer overlaps. Pairs by index in the scene.
 #[derive(Clone, Copy, Debug)]
 struct Episode {
     pair: (usize, usize),
@@ -286,11 +98,15 @@ struct Loop<'a, C> {
     balls: Balls,
     sizes: Sizes,
     walls: Vec<(Side, Vec<f64>)>,
+    pockets: &'a [[f64; 3]],
     recorder: Recorder,
     overlapping: Vec<(usize, usize)>,
     episodes: Vec<Episode>,
     exchanged: Vec<usize>,
-    stopped: Vec<usize>,
+    /// Balls of which some motion ends within this step, by index in play.
+    ending: Vec<usize>,
+    /// What ended within this step, by index in play: told at its end.
+    ended: Vec<(usize, EventKind)>,
     exchanges: u64,
     overlaps: u64,
     longest_overlap: u64,
@@ -316,11 +132,13 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             sizes: Sizes::new(&balls.radius),
             balls,
             walls,
+            pockets: scene.effects.pockets.as_ref().map_or(&[], |p| &p.circles),
             recorder,
             overlapping: Vec::with_capacity(4 * n),
             episodes: Vec::with_capacity(4 * n),
             exchanged: Vec::with_capacity(n),
-            stopped: Vec::with_capacity(n),
+            ending: Vec::with_capacity(n),
+            ended: Vec::with_capacity(3 * n),
             exchanges: 0,
             overlaps: 0,
             longest_overlap: 0,
@@ -332,9 +150,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let dt = self.settings.dt;
         // a duration that is a whole number of steps up to rounding takes exactly that number
         let steps = (self.scene.duration / dt * (1.0 - 1e-12)).ceil() as u64;
-        let mut moving = (0..self.balls.len())
-            .filter(|&i| self.balls.speed(i) > 0.0)
-            .count();
+        let mut moving = self.balls.moving();
         let mut ending = Ending::Duration;
         let mut step = 0;
         while step < steps {
@@ -352,7 +168,11 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             self.advance();
             step += 1;
             let time = step as f64 * dt;
-            self.stops(time);
+            self.tell_ended(time);
+            if self.any_pocketed() {
+                self.pocket(time);
+                moving = self.balls.moving();
+            }
             if self.recorder.due(time) {
                 self.recorder.sample(time, &self.balls.states());
             }
@@ -370,7 +190,9 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             .iter()
             .enumerate()
             .filter(|(_, s)| {
-                !(s.position.norm_squared().is_finite() && s.velocity.norm_squared().is_finite())
+                !(s.position.norm_squared().is_finite()
+                    && s.velocity.norm_squared().is_finite()
+                    && s.spin.norm_squared().is_finite())
             })
             .map(|(i, _)| i as u32)
             .collect();
@@ -403,13 +225,13 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// 1. and 2.: the ball that was shot against every other, then each pair of the others.
     fn contacts(&mut self, step: u64) {
-        let Some(law) = self.scene.effects.contact else {
+        let Some(contact) = self.scene.effects.contact else {
             return;
         };
         self.sizes
             .overlapping(&self.balls.x, &self.balls.y, &mut self.overlapping);
         if !self.overlapping.is_empty() {
-            self.exchange_all(step, law);
+            self.exchange_all(step, contact);
         }
         if !self.episodes.is_empty() {
             self.episodes.retain(|episode| episode.last_step == step);
@@ -418,49 +240,55 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     #[cold]
     #[inline(never)]
-    fn exchange_all(&mut self, step: u64, law: Contact) {
+    fn exchange_all(&mut self, step: u64, contact: Contact) {
+        let laws = Laws {
+            contact,
+            friction: self.scene.effects.friction,
+        };
         let time = step as f64 * self.settings.dt;
         self.exchanged.clear();
         for k in 0..self.overlapping.len() {
             let (i, j) = self.overlapping[k];
-            let (a, b) = (self.balls.partner(i), self.balls.partner(j));
-            let depth = self.sizes.distance(i, j) - (a.position - b.position).norm();
+            let apart = self.balls.position(i) - self.balls.position(j);
+            let depth = self.sizes.distance(i, j) - apart.norm();
             let (first, second) = (self.balls.scene_index[i], self.balls.scene_index[j]);
             self.overlaps += 1;
             self.recorder.overlap(time, depth, first, second);
-            self.keep_overlap(step, (i, j));
+            self.keep_overlap(step, (first, second));
             if let Some(episode) = self
                 .episodes
                 .iter_mut()
-                .find(|episode| episode.pair == (i, j))
+                .find(|episode| episode.pair == (first, second))
             {
                 episode.last_step = step;
             }
-            let Some((va, vb)) = exchange(self.settings.contact, law, &a, &b) else {
+            // a rack that overlaps at rest is most of what the rule as written meets
+            if self.balls.is_still(i) && self.balls.is_still(j) {
                 continue;
-            };
-            self.apply(step, time, (i, j), va, vb);
+            }
+            let (a, b) = (self.balls.body(i), self.balls.body(j));
+            if let Some(motions) = exchange(self.settings.contact, laws, apart, &a, &b) {
+                self.apply(step, (i, j), motions);
+            }
         }
         self.stops_after_exchange(time);
     }
 
-    fn apply(
-        &mut self,
-        step: u64,
-        time: f64,
-        (i, j): (usize, usize),
-        va: Vector2<f64>,
-        vb: Vector2<f64>,
-    ) {
+    /// Gives both balls of a pair their motions after an exchange, and tells it.
+    fn apply(&mut self, step: u64, (i, j): (usize, usize), (one, two): (Motion, Motion)) {
+        let time = step as f64 * self.settings.dt;
         let balls = &mut self.balls;
         let (first, second) = (balls.scene_index[i], balls.scene_index[j]);
         let (before_i, before_j) = (balls.state(i), balls.state(j));
         let energy = balls.energy(i) + balls.energy(j);
-        for (ball, velocity) in [(i, va), (j, vb)] {
+        let mut taken = 0.0;
+        for (ball, motion) in [(i, one), (j, two)] {
             if balls.speed(ball) > 0.0 && !self.exchanged.contains(&ball) {
                 self.exchanged.push(ball);
             }
-            (balls.vx[ball], balls.vy[ball]) = (velocity.x, velocity.y);
+            let (planar, vertical) = motion.on_cloth();
+            balls.set_motion(ball, &planar);
+            taken += balls.mass[ball] * vertical;
         }
         self.exchanges += 1;
         let (after_i, after_j) = (balls.state(i), balls.state(j));
@@ -470,7 +298,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let known = self
             .episodes
             .iter_mut()
-            .find(|episode| episode.pair == (i, j));
+            .find(|episode| episode.pair == (first, second));
         let event = match known {
             Some(episode) => {
                 episode.exchanges += 1;
@@ -483,7 +311,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                     .recorder
                     .event(time, EventKind::ball_ball(first, second), Some(1));
                 self.episodes.push(Episode {
-                    pair: (i, j),
+                    pair: (first, second),
                     event,
                     exchanges: 1,
                     last_step: step,
@@ -491,12 +319,20 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 event
             }
         };
-        self.recorder
-            .energy_change(time, gained, first, Some(second));
+        self.book(time, gained, taken, first, Some(second));
         self.recorder
             .momentum_error(time, lost.norm(), first, second);
         self.recorder.jump(first, time, &before_i, &after_i, event);
         self.recorder.jump(second, time, &before_j, &after_j, event);
+    }
+
+    /// Books what an impact did to the kinetic energy: `gained` in all, of which the cloth took `taken` with the vertical motion.
+    fn book(&mut self, time: f64, gained: f64, taken: f64, ball: usize, other: Option<usize>) {
+        self.recorder
+            .energy_change(time, gained + taken, ball, other);
+        if taken > 0.0 {
+            self.recorder.energy_change(time, -taken, ball, other);
+        }
     }
 
     /// How long each pair has overlapped without a break, in steps.
@@ -513,51 +349,50 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     fn stops_after_exchange(&mut self, time: f64) {
         for k in 0..self.exchanged.len() {
             let i = self.exchanged[k];
-            if self.balls.speed(i) == 0.0 {
-                let state = self.balls.state(i);
-                self.recorder
-                    .stop(self.balls.scene_index[i], time, &state, &state);
+            if self.stays(i) {
+                self.tell(i, EventKind::Stop(self.balls.scene_index[i] as u32), time);
             }
         }
     }
 
-    /// 3.: every ball's speed falls, and stops at zero. Answers how many balls still move.
+    /// True when the centre of a ball is at rest, and no spin sets it in motion again.
+    fn stays(&self, i: usize) -> bool {
+        self.balls.speed(i) == 0.0 && !(self.balls.slides(i) && self.cloth.drives_slides())
+    }
+
+    /// 3.: the cloth slows every ball. Answers how many balls still move or spin.
     fn friction(&mut self, step: u64) -> usize {
-        let mut moving = 0;
-        for i in 0..self.balls.len() {
-            let speed = self.balls.speed(i);
-            if speed == 0.0 {
-                continue;
-            }
-            moving += 1;
-            if !C::ACTS {
-                continue;
-            }
-            let slowed = self.cloth.slowed(speed, self.balls.mass[i]);
-            if slowed <= 0.0 {
-                self.clamp(step, i);
-                moving -= 1;
-            } else {
-                let factor = slowed / speed;
-                self.balls.vx[i] *= factor;
-                self.balls.vy[i] *= factor;
-            }
+        let moving = self.cloth.act(&mut self.balls, &mut self.ending);
+        if self.ending.is_empty() {
+            moving
+        } else {
+            moving + self.end_phases(step)
         }
-        moving
     }
 
-    /// Friction would turn the ball around within this step: it stops.
+    /// Friction would turn a motion around within this step: it ends. Answers how many of these balls still move or spin.
     #[cold]
     #[inline(never)]
-    fn clamp(&mut self, step: u64, i: usize) {
-        let state = self.balls.state(i);
-        self.recorder.pin(
-            self.balls.scene_index[i],
-            step as f64 * self.settings.dt,
-            &state,
-        );
-        (self.balls.vx[i], self.balls.vy[i]) = (0.0, 0.0);
-        self.stopped.push(i);
+    fn end_phases(&mut self, step: u64) -> usize {
+        let time = step as f64 * self.settings.dt;
+        let mut moving = 0;
+        for k in 0..self.ending.len() {
+            let i = self.ending[k];
+            let end = self.cloth.end(&self.balls, i);
+            let (ball, state) = (self.balls.scene_index[i], self.balls.state(i));
+            self.recorder.pin(ball, time, &state);
+            self.balls.set_motion(i, &end.motion);
+            let kinds = [
+                (end.slide, EventKind::SlideToRoll(ball as u32)),
+                (end.stop, EventKind::Stop(ball as u32)),
+                (end.spin, EventKind::SpinEnd(ball as u32)),
+            ];
+            let ended = kinds.into_iter().filter(|(ends, _)| *ends);
+            self.ended.extend(ended.map(|(_, kind)| (i, kind)));
+            moving += usize::from(!self.balls.is_at_rest(i));
+        }
+        self.ending.clear();
+        moving
     }
 
     /// 4.: a ball past a wall is moved to it and that velocity component is turned inward.
@@ -600,20 +435,22 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             if beyond <= 0.0 {
                 continue;
             }
-            let mut after = before;
-            after.position[side.axis()] = limit;
             let met = outward * before.velocity[side.axis()] > 0.0;
+            let energy = self.balls.energy(i);
+            let mut taken = 0.0;
             if met {
-                let body = Body {
-                    velocity: before.velocity,
-                    spin: before.spin,
-                    mass: self.balls.mass[i],
-                    radius: self.balls.radius[i],
-                };
-                after.velocity = cushion::impact(law, &body, side).motion.velocity;
+                self.tell_ended_of(i, time);
+                let rebound = cushion::impact(law, &self.balls.body(i), side);
+                let (planar, vertical) = rebound.motion.on_cloth();
+                self.balls.set_motion(i, &planar);
+                taken = self.balls.mass[i] * vertical;
             }
-            (self.balls.x[i], self.balls.y[i]) = (after.position.x, after.position.y);
-            (self.balls.vx[i], self.balls.vy[i]) = (after.velocity.x, after.velocity.y);
+            if side.axis() == 0 {
+                self.balls.x[i] = limit;
+            } else {
+                self.balls.y[i] = limit;
+            }
+            let after = self.balls.state(i);
             let ball = self.balls.scene_index[i];
             let event = self.recorder.event(
                 time,
@@ -622,6 +459,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             );
             self.recorder.outside(time, beyond, ball);
             self.recorder.jump(ball, time, &before, &after, event);
+            if met {
+                self.book(time, self.balls.energy(i) - energy, taken, ball, None);
+                if self.stays(i) {
+                    self.tell(i, EventKind::Stop(ball as u32), time);
+                }
+            }
         }
     }
 
@@ -636,14 +479,72 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         }
     }
 
-    /// Balls that friction stopped in this step: at rest from the end of the step on.
-    fn stops(&mut self, time: f64) {
-        for k in 0..self.stopped.len() {
-            let i = self.stopped[k];
-            let state = self.balls.state(i);
-            self.recorder
-                .stop(self.balls.scene_index[i], time, &state, &state);
+    /// What ended in this step: it has ended from the end of the step on.
+    fn tell_ended(&mut self, time: f64) {
+        for k in 0..self.ended.len() {
+            let (i, kind) = self.ended[k];
+            self.tell(i, kind, time);
         }
-        self.stopped.clear();
+        self.ended.clear();
+    }
+
+    /// What ended in this step for one ball, before a wall begins something new.
+    fn tell_ended_of(&mut self, ball: usize, time: f64) {
+        for k in 0..self.ended.len() {
+            let (i, kind) = self.ended[k];
+            if i == ball {
+                self.tell(i, kind, time);
+            }
+        }
+        self.ended.retain(|(i, _)| *i != ball);
+    }
+
+    /// Tells an event that changes nothing at its time: the end of a phase.
+    fn tell(&mut self, i: usize, kind: EventKind, time: f64) {
+        let (ball, state) = (self.balls.scene_index[i], self.balls.state(i));
+        if let EventKind::Stop(_) = kind {
+            self.recorder.stop(ball, time, &state, &state);
+        } else {
+            self.recorder.phase(ball, time, &state, &state, kind);
+        }
+    }
+
+    /// True when a centre is in a pocket.
+    fn any_pocketed(&self) -> bool {
+        let mut any = false;
+        for [px, py, radius] in self.pockets {
+            let bound = radius * radius;
+            for (x, y) in self.balls.x.iter().zip(&self.balls.y) {
+                any |= (x - px) * (x - px) + (y - py) * (y - py) <= bound;
+            }
+        }
+        any
+    }
+
+    /// After 5.: a ball whose centre is in a pocket leaves play.
+    #[cold]
+    #[inline(never)]
+    fn pocket(&mut self, time: f64) {
+        let Some(pockets) = &self.scene.effects.pockets else {
+            return;
+        };
+        let mut i = 0;
+        while i < self.balls.len() {
+            let state = self.balls.state(i);
+            let Some(pocket) = pockets::holding(pockets, &state.position) else {
+                i += 1;
+                continue;
+            };
+            let ball = self.balls.scene_index[i];
+            self.recorder.pocket(ball, time, &state, pocket as u32);
+            self.balls.remove(i);
+            self.sizes.remove(i);
+            for (_, limits) in &mut self.walls {
+                limits.remove(i);
+            }
+            let involves = |pair: (usize, usize)| pair.0 == ball || pair.1 == ball;
+            self.episodes.retain(|episode| !involves(episode.pair));
+            self.overlap_since.retain(|pair, _| !involves(*pair));
+        }
     }
 }
