@@ -13,6 +13,7 @@ mod exact_laws;
 mod exact_reflections;
 mod exact_symmetries;
 mod horizon;
+mod laws;
 mod precision;
 mod random;
 mod rapier;
