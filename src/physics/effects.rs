@@ -208,11 +208,11 @@ pub enum Cushion<T = f64> {
         /// Square root of the share of the work of compression that is returned, from 0 to 1; published is 0.98.
         #[schemars(range(min = 0, max = 1))]
         e: T,
-        /// Coefficient of friction between ball and cushion, from 0 to 1; published is 0.14.
-        #[schemars(range(min = 0, max = 1))]
+        /// Coefficient of friction between ball and cushion, from 0 to 0.5; published is 0.14.
+        #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
         mu: T,
-        /// Coefficient of friction between ball and cloth, from 0 to 1; published is 0.212.
-        #[schemars(range(min = 0, max = 1))]
+        /// Coefficient of friction between ball and cloth, from 0 to 0.5; published is 0.212.
+        #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
         mu_cloth: T,
         /// Height of the nose above the cloth, in radii of the ball that meets it, greater than 0 and less than 2; published is 1.4 for snooker.
         #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 2))]

@@ -16,6 +16,7 @@ mod exact_reflections;
 mod exact_scale;
 mod exact_symmetries;
 mod horizon;
+mod laws;
 mod missed_collisions;
 mod perturb;
 mod precision;

@@ -149,8 +149,10 @@ impl<T: Real> World<T> {
                 (states.map(flight).collect(), Vec::new())
             }
             Some(rotation) => {
-                let depart =
-                    |(moving, radius): (Moving<T>, &T)| rotation.depart(*radius, T::zero(), moving);
+                let depart = |(moving, radius): (Moving<T>, &T)| {
+                    let meant = rotation.as_meant(*radius, moving);
+                    rotation.depart(*radius, T::zero(), meant)
+                };
                 states.zip(&self.radius).map(depart).unzip()
             }
         }
