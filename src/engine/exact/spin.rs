@@ -287,11 +287,21 @@ impl<T: Real> Rotation<T> {
                 velocity: [zero; 2],
                 spin: [zero, zero, turning[2]],
             },
-            Turn::Unspun => Moving {
-                position,
-                velocity,
-                spin: [turning[0], turning[1], zero],
-            },
+            Turn::Unspun => {
+                let [vx, vy] = velocity;
+                // the rounding of a faster time must not make a slow ball that rolls slide again
+                let rolls = !spin.slides && self.slide > zero && flight.moves();
+                let [wx, wy] = if rolls {
+                    [-vy / radius, vx / radius]
+                } else {
+                    [turning[0], turning[1]]
+                };
+                Moving {
+                    position,
+                    velocity,
+                    spin: [wx, wy, zero],
+                }
+            }
         }
     }
 }
