@@ -80,8 +80,8 @@ impl Recorder {
     pub fn event(&mut self, time: f64, kind: EventKind, exchanges: Option<u64>) -> u32 {
         let index = self.event_count;
         self.event_count += 1;
-        let kept = matches!(kind, EventKind::Pocket(..));
-        if kept || self.record != Record::Final {
+        let kept = self.record != Record::Final || matches!(kind, EventKind::Pocket(..));
+        if kept {
             self.events.push(Event {
                 time,
                 kind,
@@ -93,6 +93,9 @@ impl Recorder {
 
     /// Sets the number of exchanges of an event, once its contact episode has seen another.
     pub fn set_exchanges(&mut self, event: u32, exchanges: u64) {
+        if self.record == Record::Final {
+            return;
+        }
         if let Some(event) = self.events.get_mut(event as usize) {
             event.exchanges = Some(exchanges);
         }
@@ -126,6 +129,22 @@ impl Recorder {
         });
     }
 
+    /// A ball began to roll or lost its spin: adds the event and both its sides. Whether the centre rests is not touched.
+    pub fn phase(
+        &mut self,
+        ball: usize,
+        time: f64,
+        before: &State,
+        after: &State,
+        kind: EventKind,
+    ) -> u32 {
+        let event = self.event(time, kind, None);
+        let stop_time = self.stop_times[ball];
+        self.jump(ball, time, before, after, event);
+        self.stop_times[ball] = stop_time;
+        event
+    }
+
     /// The centre of a ball came to rest: adds the `stop` event, both sides, and the stop time.
     pub fn stop(&mut self, ball: usize, time: f64, before: &State, after: &State) -> u32 {
         let event = self.event(time, EventKind::Stop(ball as u32), None);
@@ -134,27 +153,12 @@ impl Recorder {
         event
     }
 
-    /// A change of how a ball moves that no impact brought about: adds the event and both sides.
-    pub fn phase(
-        &mut self,
-        ball: usize,
-        time: f64,
-        kind: EventKind,
-        before: &State,
-        after: &State,
-    ) -> u32 {
-        let event = self.event(time, kind, None);
-        self.jump(ball, time, before, after, event);
-        event
-    }
-
-    /// A ball leaves play: adds the event, and the last knot of its path. Nothing may be recorded of it afterwards.
-    pub fn pocket(&mut self, ball: usize, time: f64, pocket: u32, last: &State) -> u32 {
-        let kind = EventKind::Pocket(ball as u32, pocket);
-        let event = self.event(time, kind, None);
-        self.jump(ball, time, last, last, event);
+    /// A ball left play in `state`: adds the `pocket` event and ends the path there.
+    pub fn pocket(&mut self, ball: usize, time: f64, state: &State, pocket: u32) -> u32 {
+        let event = self.event(time, EventKind::Pocket(ball as u32, pocket), None);
+        self.jump(ball, time, state, state, event);
         if self.record == Record::Final {
-            self.knot(ball, time, last);
+            self.knot(ball, time, state);
         }
         self.stop_times[ball] = None;
         self.pocketed[ball] = true;

@@ -63,7 +63,7 @@ impl<T: Real> Loop<'_, T> {
         if spin.turn == Turn::Unspun {
             self.count_event();
             self.recorder
-                .phase(ball, time, EventKind::SpinEnd(ball as u32), &before, &after);
+                .phase(ball, time, &before, &after, EventKind::SpinEnd(ball as u32));
         }
         if spin.slides && !slides && !stops {
             self.count_event();
@@ -73,7 +73,7 @@ impl<T: Real> Loop<'_, T> {
             } else {
                 &before
             };
-            self.recorder.phase(ball, time, rolls, near, &after);
+            self.recorder.phase(ball, time, near, &after, rolls);
         }
         if !stops {
             self.predict(ball, None);
@@ -115,7 +115,7 @@ impl<T: Real> Loop<'_, T> {
         self.versions[ball] = self.versions[ball].wrapping_add(1);
         self.queue.set(ball, Candidate::none());
         self.count_event();
-        self.recorder.pocket(ball, self.now.to_f64(), pocket, &last);
+        self.recorder.pocket(ball, self.now.to_f64(), &last, pocket);
         None
     }
 

@@ -1,5 +1,6 @@
 //! What the stepping loop sees of rapier, the same for both precisions: states in f64, and who pushed whom in a step.
 
+use super::cloth::Load;
 use crate::engine::Inside;
 use crate::math::Vec3;
 use crate::physics::{Side, State};
@@ -11,6 +12,15 @@ pub(super) trait World {
 
     /// Advances by `dt`, s.
     fn step(&mut self, dt: f64);
+
+    /// Sets what acts on a ball besides rapier's own forces in every step from now on.
+    fn load(&mut self, ball: usize, load: &Load);
+
+    /// Takes a ball out of play: nothing meets it any more, and its state stays as it is.
+    fn remove(&mut self, ball: usize);
+
+    /// Replaces `presses` by the normal impulse, mass * length/s, of the cloth on every ball in the last step.
+    fn presses(&self, presses: &mut Vec<f64>);
 
     /// Replaces `states` by those of all balls, in scene order.
     fn read(&self, states: &mut Vec<State>);

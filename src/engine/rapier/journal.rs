@@ -15,17 +15,19 @@
 //! equal balls at e = 1). A stop within a step leaves at most a dt^2, a the deceleration. So `unexplained` stays below
 //! v dt (1 + 1/(2 substeps)), v the largest speed, as long as no ball moves farther in a step than contacts are predicted.
 //! A faster one is found inside what it hit, and pushing it out moves it without a velocity by at most the v dt that it went
-//! in. A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
+//! in. Under a cloth that turns balls, a ball that rolls fast is pressed by the cloth in some substeps only, so that its vertical
+//! velocity at the end of a step is anything up to g dt with a mean of zero: g dt times the time between two records more.
+//! A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
 //!
 //! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
 //! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
 
+use super::cloth::{Felt, Load, is_aloft, lever, top_speed};
 use super::interface::{Other, Push};
 use super::run::rest_speed;
 use crate::math::Vec3;
-use crate::physics::cloth::translational;
 use crate::physics::invariants::kinetic_energy;
-use crate::physics::{Cloth, Side, State};
+use crate::physics::{Motion, Side, State, friction, pockets};
 use crate::scene::Scene;
 use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
 use std::collections::BTreeMap;
@@ -57,13 +59,19 @@ pub(super) struct Journal<'a> {
     scene: &'a Scene,
     recorder: Recorder,
     rest_speed: f64,
-    /// Deceleration by the cloth, length/s^2.
-    drag: f64,
+    felt: Felt,
+    /// The largest coefficient of friction between balls, whatever their slip.
+    rub: f64,
     /// Smallest change of velocity that is not rounding, length/s.
     noise: f64,
     steps: u64,
     episodes: Vec<Episode>,
     moving: Vec<bool>,
+    sliding: Vec<bool>,
+    spinning: Vec<bool>,
+    aloft: Vec<bool>,
+    in_play: Vec<bool>,
+    left: Vec<usize>,
     balls: Vec<BallStep>,
     exchanges: u64,
     contacts: u64,
@@ -73,12 +81,14 @@ pub(super) struct Journal<'a> {
 /// What is known of one ball within one step.
 #[derive(Clone, Copy, Debug, Default)]
 struct BallStep {
-    /// Velocity after the exchanges processed so far; `None` before the first.
-    velocity: Option<Vec3>,
+    /// Motion after the exchanges processed so far; `None` before the first.
+    motion: Option<Motion>,
     /// Exchanges still to come.
     left: u32,
     /// Sum of all impulses, mass * length/s.
     impulse: Vec3,
+    /// Sum of the sizes of the impulses by other balls, mass * length/s.
+    pressed: f64,
     /// Label of the group of balls that exchange momentum in this step.
     group: usize,
     /// Whether a cushion takes momentum from the ball.
@@ -95,20 +105,30 @@ impl<'a> Journal<'a> {
         ulp: f64,
     ) -> Self {
         let rest_speed = rest_speed(scene);
-        let drag = match scene.effects.cloth {
-            Some(Cloth::Translational { mu }) => translational::deceleration(mu, scene.gravity),
-            // not built; `missing` names it
-            Some(Cloth::Rotational { .. }) | None => 0.0,
+        let felt = Felt::new(scene, ulp);
+        let turns = felt.rotational().is_some();
+        let rub = scene.effects.friction;
+        let states_that = |holds: &dyn Fn(&State, f64) -> bool| -> Vec<bool> {
+            let balls = initial.iter().zip(&scene.balls);
+            balls
+                .map(|(state, ball)| holds(state, ball.radius))
+                .collect()
         };
         Journal {
             scene,
             recorder: Recorder::new(scene, provenance, record, initial),
             rest_speed,
-            drag,
-            noise: ROUNDING_ULPS * ulp * scene.largest_speed(),
+            felt,
+            rub: rub.map_or(0.0, |law| friction::coefficient(law, 0.0)),
+            noise: ROUNDING_ULPS * ulp * top_speed(scene),
             steps: 0,
             episodes: Vec::new(),
             moving: initial.iter().map(|s| s.speed() > rest_speed).collect(),
+            sliding: states_that(&|state, radius| turns && felt.slides(state, radius)),
+            spinning: states_that(&|state, radius| turns && felt.spins(state, radius)),
+            aloft: vec![false; initial.len()],
+            in_play: vec![true; initial.len()],
+            left: Vec::new(),
             balls: vec![BallStep::default(); initial.len()],
             exchanges: 0,
             contacts: 0,
@@ -116,15 +136,48 @@ impl<'a> Journal<'a> {
         }
     }
 
-    /// True when every ball's speed is at or below the rest speed.
+    /// True when no ball in play moves or spins.
     pub fn all_at_rest(&self, states: &[State]) -> bool {
-        states.iter().all(|state| state.speed() <= self.rest_speed)
+        let rests = |(i, state): (usize, &State)| {
+            state.speed() <= self.rest_speed && !self.spinning[i] && !self.sliding[i]
+                || !self.in_play[i]
+        };
+        states.iter().enumerate().all(rests)
+    }
+
+    /// The balls that left play in the last step.
+    pub fn left(&self) -> &[usize] {
+        &self.left
+    }
+
+    /// What acts on a ball besides rapier's own forces in a step of `dt` that begins in `state`.
+    pub fn load(&self, ball: usize, state: &State, dt: f64) -> Load {
+        if self.aloft[ball] || !self.in_play[ball] {
+            return Load::NONE;
+        }
+        let body = &self.scene.balls[ball];
+        let slides = self.sliding[ball];
+        self.felt.load(state, slides, body.mass, body.radius, dt)
+    }
+
+    /// True when the scene has a cloth that does what rapier lacks.
+    pub fn loads(&self) -> bool {
+        self.felt.rotational().is_some()
     }
 
     /// Writes one step. `before` and `after` are in scene order; `pushes` is reordered and loses what is only rounding.
-    pub fn step(&mut self, span: Span, before: &[State], after: &[State], pushes: &mut Vec<Push>) {
+    ///
+    /// `presses`: normal impulse of the cloth on every ball in the step, mass * length/s; read only where [`Journal::loads`].
+    pub fn step(
+        &mut self,
+        span: Span,
+        before: &[State],
+        after: &[State],
+        pushes: &mut Vec<Push>,
+        presses: &[f64],
+    ) {
         self.contacts += pushes.len() as u64;
-        self.prepare(span, before, after, pushes);
+        self.prepare(span, before, after, pushes, presses);
         pushes.retain(|push| self.is_exchange(push));
         pushes.sort_unstable_by_key(|push| match push.other {
             Other::Ball(other) => (0, push.ball, other),
@@ -139,8 +192,11 @@ impl<'a> Journal<'a> {
         for push in pushes.iter() {
             self.exchange(span, before, after, push);
         }
+        self.extrema(span, before, after, pushes, presses);
+        self.pockets(span, before, after);
+        self.phases(span, before, after);
         self.stops(span, before, after);
-        self.extrema(span, before, after, pushes);
+        self.hops(span, before, after);
         self.steps += 1;
         // the cadence is a multiple of the step as written, not as rounded
         let rounding = 1e-6 * (span.end - span.start);
@@ -173,7 +229,14 @@ impl<'a> Journal<'a> {
     }
 
     /// Sums the impulses on each ball and counts velocity changes that neither they nor the cloth explain.
-    fn prepare(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+    fn prepare(
+        &mut self,
+        span: Span,
+        before: &[State],
+        after: &[State],
+        pushes: &[Push],
+        presses: &[f64],
+    ) {
         for (index, ball) in self.balls.iter_mut().enumerate() {
             *ball = BallStep {
                 group: index,
@@ -184,14 +247,20 @@ impl<'a> Journal<'a> {
             self.balls[push.ball].impulse += push.impulse;
             if let Other::Ball(other) = push.other {
                 self.balls[other].impulse -= push.impulse;
+                let pressed = push.impulse.norm();
+                self.balls[push.ball].pressed += pressed;
+                self.balls[other].pressed += pressed;
             }
         }
-        let cloth = self.drag * (span.end - span.start);
+        let dt = span.end - span.start;
         for (index, ball) in self.balls.iter().enumerate() {
             let change = after[index].velocity - before[index].velocity;
-            let left = change - ball.impulse / self.scene.balls[index].mass;
-            // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy
-            if left.xy().norm() > 1.001 * cloth + self.noise {
+            let mass = self.scene.balls[index].mass;
+            let left = change - ball.impulse / mass;
+            // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy; the impulses are normal
+            let cloth = self.felt.most_drag(presses[index] / mass, dt) * dt;
+            let rubbed = self.rub * ball.pressed / mass;
+            if left.xy().norm() > 1.001 * cloth + rubbed + self.noise {
                 self.unattributed += 1;
             }
         }
@@ -257,42 +326,109 @@ impl<'a> Journal<'a> {
         // of several exchanges in one step the last ends in the velocity that rapier has
         if self.balls[ball].left > 0 {
             far.velocity = near.velocity + impulse / self.scene.balls[ball].mass;
+            far.spin = near.spin;
         }
-        self.balls[ball].velocity = Some(far.velocity);
+        self.balls[ball].motion = Some(Motion {
+            velocity: far.velocity,
+            spin: far.spin,
+        });
         self.recorder.jump(ball, span.end, &near, &far, event);
     }
 
     /// The near side of the next thing that happens to a ball in this step.
     fn near(&mut self, span: Span, before: &[State], after: &[State], ball: usize) -> State {
-        let velocity = match self.balls[ball].velocity {
-            Some(velocity) => velocity,
+        let Motion { velocity, spin } = match self.balls[ball].motion {
+            Some(motion) => motion,
             None => {
                 self.recorder.pin(ball, span.start, &before[ball]);
-                let mut coasting = self.coast(&before[ball].velocity, span);
-                coasting.z = after[ball].velocity.z;
+                let radius = self.scene.balls[ball].radius;
+                let dt = span.end - span.start;
+                let slides = self.sliding[ball];
+                let mut coasting = self.felt.coast(&before[ball], slides, radius, dt);
+                // gravity settles a ball within a step; only friction of another ball makes it hop
+                if self.rub == 0.0 {
+                    coasting.velocity.z = after[ball].velocity.z;
+                }
                 coasting
             }
         };
+        self.balls[ball].motion = Some(Motion { velocity, spin });
         State {
             velocity,
+            spin,
             ..after[ball]
         }
     }
 
-    /// Velocity at the end of a step in which only the cloth acts.
-    fn coast(&self, velocity: &Vec3, span: Span) -> Vec3 {
-        let speed = velocity.xy().norm();
-        let lost = self.drag * (span.end - span.start);
-        if speed <= lost {
-            Vec3::zeros()
-        } else {
-            velocity * (1.0 - lost / speed)
+    /// Writes the balls that left play in a step, and books the energy that they took along.
+    fn pockets(&mut self, span: Span, before: &[State], after: &[State]) {
+        self.left.clear();
+        let Some(pockets) = &self.scene.effects.pockets else {
+            return;
+        };
+        for ball in 0..after.len() {
+            if !self.in_play[ball] {
+                continue;
+            }
+            let way = after[ball].position - before[ball].position;
+            let enters = |circle: &[f64; 3]| {
+                let nearest = nearest(&before[ball].position, &way, circle);
+                pockets::depth(circle, &nearest) >= 0.0
+            };
+            if let Some(pocket) = pockets.circles.iter().position(enters) {
+                self.in_play[ball] = false;
+                self.left.push(ball);
+                let near = self.near(span, before, after, ball);
+                self.recorder.pocket(ball, span.end, &near, pocket as u32);
+                let mass = self.scene.balls[ball].mass;
+                let energy = kinetic_energy(&after[ball], mass, self.scene.inertia(ball));
+                self.recorder.energy_change(span.end, -energy, ball, None);
+            }
+        }
+    }
+
+    /// Writes where balls began to roll and where they lost their spin.
+    fn phases(&mut self, span: Span, before: &[State], after: &[State]) {
+        if self.felt.rotational().is_none() {
+            return;
+        }
+        for ball in 0..after.len() {
+            if !self.in_play[ball] {
+                continue;
+            }
+            let radius = self.scene.balls[ball].radius;
+            let slides = self.felt.slides(&after[ball], lever(&before[ball], radius));
+            let spins = self.felt.spins(&after[ball], radius);
+            let ended = [
+                (
+                    self.sliding[ball] && !slides,
+                    EventKind::SlideToRoll(ball as u32),
+                ),
+                (
+                    self.spinning[ball] && !spins,
+                    EventKind::SpinEnd(ball as u32),
+                ),
+            ];
+            for (_, kind) in ended.into_iter().filter(|(ended, _)| *ended) {
+                let near = self.near(span, before, after, ball);
+                self.recorder
+                    .phase(ball, span.end, &near, &after[ball], kind);
+                self.balls[ball].motion = Some(Motion {
+                    velocity: after[ball].velocity,
+                    spin: after[ball].spin,
+                });
+            }
+            self.sliding[ball] = slides;
+            self.spinning[ball] = spins;
         }
     }
 
     /// Writes the stops of a step.
     fn stops(&mut self, span: Span, before: &[State], after: &[State]) {
         for ball in 0..after.len() {
+            if !self.in_play[ball] {
+                continue;
+            }
             if after[ball].speed() > self.rest_speed {
                 self.moving[ball] = true;
             } else if self.moving[ball] {
@@ -303,17 +439,47 @@ impl<'a> Journal<'a> {
         }
     }
 
+    /// Pins the steps in which a ball hops off its cloth, and those in which the cloth stops its fall; neither is an event.
+    ///
+    /// Friction of another ball lifts a ball. A ball that rolls fast falls for a few steps when the run begins, until it lies so
+    /// deep that its turning points of contact still touch.
+    fn hops(&mut self, span: Span, before: &[State], after: &[State]) {
+        if self.felt.rotational().is_none() {
+            return;
+        }
+        let chatter = 2.0 * self.scene.gravity * (span.end - span.start);
+        for ball in 0..after.len() {
+            let aloft = is_aloft(&after[ball], self.scene.balls[ball].radius);
+            let jump = (after[ball].velocity.z - before[ball].velocity.z).abs();
+            if self.in_play[ball] && (aloft != self.aloft[ball] || jump > chatter) {
+                if self.balls[ball].motion.is_none() {
+                    self.recorder.pin(ball, span.start, &before[ball]);
+                }
+                self.recorder.pin(ball, span.end, &after[ball]);
+            }
+            self.aloft[ball] = aloft;
+        }
+    }
+
     /// Books what should stay small. `pushes` are the exchanges of the step.
-    fn extrema(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+    fn extrema(
+        &mut self,
+        span: Span,
+        before: &[State],
+        after: &[State],
+        pushes: &[Push],
+        presses: &[f64],
+    ) {
         self.energy(span.end, before, after, pushes);
         if !pushes.is_empty() {
-            self.momentum(span, before, after, pushes);
+            self.momentum(span, before, after, pushes, presses);
         }
         if self.scene.effects.contact.is_some() {
             self.overlaps(span.end, after, pushes);
         }
         if let (Some(_), Some(table)) = (self.scene.effects.cushion, self.scene.table) {
-            for (index, state) in after.iter().enumerate() {
+            let balls = after.iter().enumerate();
+            for (index, state) in balls.filter(|(index, _)| self.in_play[*index]) {
                 for side in Side::ALL {
                     let reach = table.reach(side, self.scene.balls[index].radius);
                     let beyond = f64::from(side.sign()) * (state.position[side.axis()] - reach);
@@ -347,7 +513,14 @@ impl<'a> Journal<'a> {
 
     /// Momentum of each group of balls that meet in this step, beyond what the cloth can take: mu m g dt a ball. Groups that
     /// meet a cushion as well have no sum to hold.
-    fn momentum(&mut self, span: Span, before: &[State], after: &[State], pushes: &[Push]) {
+    fn momentum(
+        &mut self,
+        span: Span,
+        before: &[State],
+        after: &[State],
+        pushes: &[Push],
+        presses: &[f64],
+    ) {
         for push in pushes {
             match push.other {
                 Other::Cushion(_) => self.balls[push.ball].cushion = true,
@@ -372,7 +545,7 @@ impl<'a> Journal<'a> {
                 if ball.group == group {
                     let mass = self.scene.balls[index].mass;
                     change += (after[index].velocity - before[index].velocity) * mass;
-                    allowed += self.drag * mass * dt;
+                    allowed += self.felt.most_drag(presses[index] / mass, dt) * mass * dt;
                     cushion |= ball.cushion;
                 }
             }
@@ -392,7 +565,9 @@ impl<'a> Journal<'a> {
         if after.len() <= SCAN_ALL_PAIRS {
             for a in 0..after.len() {
                 for b in a + 1..after.len() {
-                    self.recorder.overlap(time, depth(a, b), a, b);
+                    if self.in_play[a] && self.in_play[b] {
+                        self.recorder.overlap(time, depth(a, b), a, b);
+                    }
                 }
             }
             return;
@@ -404,4 +579,16 @@ impl<'a> Journal<'a> {
             }
         }
     }
+}
+
+/// The point of the way from `start` that is nearest to the centre of a circle `[x, y, r]`, in plan.
+fn nearest(start: &Vec3, way: &Vec3, [x, y, _]: &[f64; 3]) -> Vec3 {
+    let to_centre = Vec3::new(x - start.x, y - start.y, 0.0);
+    let length = way.xy().norm_squared();
+    let share = if length > 0.0 {
+        (to_centre.dot(way) / length).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    start + way * share
 }

@@ -5,13 +5,17 @@
 //! | `settings.rs` | the knobs and the two presets |
 //! | `world.rs` | the equivalent scene inside rapier; compiled twice, in `double.rs` and `single.rs` |
 //! | `interface.rs` | what the stepping loop sees of it |
+//! | `materials.rs` | coefficients of balls, cloth and cushions, and the rules that combine them |
+//! | `cloth.rs` | what of the cloth rapier lacks, as forces; what a step without impact leaves |
 //! | `run.rs` | the stepping loop |
 //! | `journal.rs` | impacts from impulses, both sides of each, extrema |
 //! | `sheet.rs` | rapier's parameters by its own names |
 
+mod cloth;
 mod double;
 mod interface;
 mod journal;
+mod materials;
 mod run;
 mod settings;
 mod sheet;
@@ -22,7 +26,7 @@ pub use settings::{Ccd, Friction, Preset, Settings};
 use super::setting::knobs_of;
 use super::{About, Engine, Knob, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
-use crate::physics::{self, Cloth, Contact, Cushion, Pockets};
+use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
 use run::Simulation;
 
@@ -72,7 +76,13 @@ impl Rapier {
         let sizes = scene.balls.iter().flat_map(|b| [b.radius, b.mass]);
         let sizes_fit = sizes.into_iter().all(|x| (least..=most).contains(&x));
         let speed = scene.largest_speed();
-        sizes_fit && speed <= most && scene.largest_coordinate() <= most && scene.gravity <= most
+        let mut spins = scene.balls.iter().map(|ball| ball.state.spin.amax());
+        let spins_fit = spins.all(|spin| spin <= most);
+        sizes_fit
+            && spins_fit
+            && speed <= most
+            && scene.largest_coordinate() <= most
+            && scene.gravity <= most
     }
 }
 
@@ -89,8 +99,10 @@ impl Engine for Rapier {
         About {
             method: "Fixed steps of the rapier physics engine: contacts are predicted once a step, a sequential-impulse \
                      solver moves the balls in substeps, and restitution acts once at the end of the step.",
-            shares: "With stepper and exact nothing but the scene: cloth, contacts and cushions are rapier's own solver. The \
-                     two rapier engines are one source in two precisions.",
+            shares: "With stepper and exact nothing but the scene: sliding, contacts and cushions are rapier's own solver. What \
+                     rapier lacks uses rates and coefficients of the workbench: rolling resistance and spin-down (as stepper), \
+                     friction between balls that depends on their slip speed, and who is in a pocket (as all). The two rapier \
+                     engines are one source in two precisions.",
         }
     }
 
@@ -102,31 +114,21 @@ impl Engine for Rapier {
         // exhaustive, so that a new law does not compile until it is answered here
         let mut missing = Vec::new();
         match scene.effects.cloth {
-            None | Some(Cloth::Translational { .. }) => {}
-            Some(law @ Cloth::Rotational { .. }) => missing.push(law.id()),
+            None | Some(Cloth::Translational { .. } | Cloth::Rotational { .. }) => {}
         }
         match scene.effects.contact {
-            None | Some(Contact::Elastic {}) => {}
-            Some(law @ Contact::Inelastic { .. }) => missing.push(law.id()),
+            None | Some(Contact::Elastic {} | Contact::Inelastic { .. }) => {}
         }
         match scene.effects.friction {
-            None => {}
-            Some(
-                law @ (physics::Friction::Constant { .. } | physics::Friction::Alciatore { .. }),
-            ) => {
-                missing.push(law.id());
-            }
+            None
+            | Some(physics::Friction::Constant { .. } | physics::Friction::Alciatore { .. }) => {}
         }
         match scene.effects.cushion {
-            None | Some(Cushion::Elastic {}) => {}
-            Some(
-                law @ (Cushion::Restitution { .. }
-                | Cushion::Han2005 { .. }
-                | Cushion::Mathavan2010 { .. }),
-            ) => missing.push(law.id()),
-        }
-        if scene.effects.pockets.is_some() {
-            missing.push(Pockets::<f64>::ID);
+            None | Some(Cushion::Elastic {} | Cushion::Restitution { .. }) => {}
+            // laws of a paper: an impulse at a nose that rapier's half-spaces do not have
+            Some(law @ (Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. })) => {
+                missing.push(law.id());
+            }
         }
         if scene.effects.contact.is_some() && !scene.equal_radii() {
             missing.push(

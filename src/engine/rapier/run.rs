@@ -39,6 +39,7 @@ impl<W: World> Run for Simulation<'_, W> {
         self.world.read(&mut before);
         let mut after = before.clone();
         let mut pushes = Vec::new();
+        let mut presses = vec![0.0; before.len()];
         let provenance = self.provenance();
         let mut journal = Journal::new(self.scene, provenance, record, &before, W::ULP);
         let mut step = 0;
@@ -53,13 +54,25 @@ impl<W: World> Run for Simulation<'_, W> {
                 break Ending::Cancelled;
             }
             let span = clock.span(step);
-            self.world.step(clock.length(step));
+            let dt = clock.length(step);
+            if journal.loads() {
+                for (ball, state) in before.iter().enumerate() {
+                    self.world.load(ball, &journal.load(ball, state, dt));
+                }
+            }
+            self.world.step(dt);
             self.world.read(&mut after);
             if let Some(spot) = self.broken(&after, span.end) {
                 break Ending::NotFinite(spot);
             }
             self.world.pushes(&mut pushes);
-            journal.step(span, &before, &after, &mut pushes);
+            if journal.loads() {
+                self.world.presses(&mut presses);
+            }
+            journal.step(span, &before, &after, &mut pushes, &presses);
+            for ball in journal.left() {
+                self.world.remove(*ball);
+            }
             std::mem::swap(&mut before, &mut after);
             step += 1;
         };
@@ -191,6 +204,11 @@ mod tests {
         }
         fn pushes(&self, pushes: &mut Vec<Push>) {
             pushes.clear();
+        }
+        fn load(&mut self, _ball: usize, _load: &crate::engine::rapier::cloth::Load) {}
+        fn remove(&mut self, _ball: usize) {}
+        fn presses(&self, presses: &mut Vec<f64>) {
+            *presses = vec![0.0];
         }
         fn quarantined(&self) -> Vec<u32> {
             vec![0; usize::from(self.steps == 3 && self.quarantine)]

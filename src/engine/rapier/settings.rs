@@ -54,7 +54,7 @@ pub enum Friction {
 pub struct Settings {
     /// Where the other knobs start from: `converging` (the equivalent scene, set up so that its error falls with dt) or
     /// `stock` (rapier's own defaults for integration, sleep and CCD: dt = 1/60, contact_recycling, can_sleep, speed capped
-    /// at 400 length units/s, ccd=fixed). Materials, combination rules and locks come from the scene in both.
+    /// at 400 length units/s, rotation at a quarter of pi a step, ccd=fixed). Materials, combination rules and locks come from the scene in both.
     pub preset: Preset,
     /// Step, s, > 0: how often contact is looked for, and what event times are good to. rapier: dt.
     pub dt: f64,
@@ -100,7 +100,8 @@ pub struct Settings {
     pub contact_natural_frequency: f64,
     /// Damping ratio of a contact of two balls, >= 0. rapier: contact_softness.
     pub contact_damping_ratio: f64,
-    /// Stiffness of a contact with cloth or cushion, Hz, >= 0. rapier: static_contact_softness.
+    /// Stiffness f of a contact with cloth or cushion, Hz, >= 0. A ball lies g / (2 pi f)^2 deep in its cloth at any step, and where
+    /// balls turn it rolls on a lever that is shorter by half of that. rapier: static_contact_softness.
     pub static_contact_natural_frequency: f64,
     /// Damping ratio of a contact with cloth or cushion, >= 0. rapier: static_contact_softness.
     pub static_contact_damping_ratio: f64,

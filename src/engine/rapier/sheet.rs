@@ -1,8 +1,11 @@
 //! Rows of the parameter-equivalence sheet: rapier's own names and values for everything that changes physics.
 
+use super::cloth::slip_rest;
+use super::materials;
 use super::run::rest_speed;
 use super::settings::Settings;
 use crate::engine::{Inside, Parameter, Partner, Role};
+use crate::physics::{self, Cloth};
 use crate::scene::Scene;
 
 /// Every parameter that changes physics; materials, masses and motion as read back from `inside`.
@@ -26,7 +29,8 @@ pub(super) fn sheet(
     };
     rows.add(Role::Precision, "Real", precision, "");
     rows.balls(scene, inside, gravity);
-    rows.materials(inside);
+    rows.materials(scene, inside);
+    rows.explicit(scene, settings, inside.ulp);
     rows.contacts(settings);
     rows.rest_and_other(scene, settings);
     rows.rows
@@ -81,44 +85,96 @@ impl Rows {
         self.add(Role::Rotation, "locked_axes", rotation, "");
     }
 
-    fn materials(&mut self, inside: &Inside) {
+    fn materials(&mut self, scene: &Scene, inside: &Inside) {
+        let effects = &scene.effects;
+        let ball = materials::ball(effects);
         let partners = [
             (
                 Partner::Cloth,
+                "the half-space",
+                materials::cloth(effects),
                 Role::ClothFriction,
-                "friction of the half-space, rule Max",
                 Role::ClothFriction,
-                "restitution of the half-space, rule Min",
             ),
             (
                 Partner::Ball,
+                "two balls",
+                Some(ball),
                 Role::BallFriction,
-                "friction of two balls, rule Average",
                 Role::BallRestitution,
-                "restitution of two balls, rule Min",
             ),
             (
                 Partner::Cushion,
+                "a cushion",
+                materials::cushion(effects),
                 Role::CushionFriction,
-                "friction with a cushion, rule Average",
                 Role::CushionRestitution,
-                "restitution with a cushion, rule Min",
             ),
         ];
-        for (partner, friction_role, friction, restitution_role, restitution) in partners {
+        for (partner, with, material, friction_role, restitution_role) in partners {
             let met = || inside.materials.iter().filter(|m| m.partner == partner);
-            if met().next().is_none() {
-                self.add(restitution_role, restitution, "no contact", "");
+            let material = material.filter(|_| met().next().is_some());
+            let Some(material) = material else {
+                self.add(
+                    restitution_role,
+                    &format!("restitution of {with}"),
+                    "no contact",
+                    "",
+                );
                 continue;
-            }
-            self.add(
-                friction_role,
-                friction,
-                range(met().map(|m| m.friction)),
-                "",
-            );
+            };
+            let rule = ball.friction.rule.between(material.friction.rule).name();
+            let name = format!("friction of {with}, rule {rule}");
+            self.add(friction_role, &name, range(met().map(|m| m.friction)), "");
+            let rule = ball.restitution.rule.between(material.restitution.rule);
+            let name = format!("restitution of {with}, rule {}", rule.name());
             let values = range(met().map(|m| m.restitution));
-            self.add(restitution_role, restitution, values, "");
+            self.add(restitution_role, &name, values, "");
+        }
+        if let Some(law @ physics::Friction::Alciatore { a, b, c, .. }) = effects.friction {
+            self.add(
+                Role::BallFriction,
+                "modify_solver_contacts: friction at the slip speed of each step",
+                format!("{}: {a} + {b} exp(-{c} u)", law.id()),
+                "u in m/s",
+            );
+        }
+    }
+
+    /// What is added to rapier, and what it does of itself that the laws do not.
+    fn explicit(&mut self, scene: &Scene, settings: &Settings, ulp: f64) {
+        let speed = format!("{}/{}", self.length, self.time);
+        if let Some(Cloth::Rotational {
+            mu_roll, mu_spin, ..
+        }) = scene.effects.cloth
+        {
+            let role = Role::ClothFriction;
+            let name = "explicit force and torque on a rolling ball, of mu_roll m g";
+            self.add(role, name, mu_roll, "mu_roll");
+            let name = "explicit torque about the vertical, of mu_spin m g R";
+            self.add(role, name, mu_spin, "mu_spin");
+            let rest = slip_rest(scene, ulp);
+            self.add(role, "rolls at or below a slip of", rest, &speed);
+            self.add(Role::Rest, "spin about z ends at R w of", rest, &speed);
+        }
+        if scene.effects.rotates() {
+            let cap = if settings.allow_fast_rotation {
+                "none".to_owned()
+            } else {
+                "pi/4 a step".to_owned()
+            };
+            self.add(Role::Rotation, "cap of the rotation", cap, "");
+        }
+        if scene.effects.friction.is_some() {
+            let role = Role::BallFriction;
+            let name = "normal impulse that friction is limited by";
+            self.add(role, name, "without the part of restitution", "");
+            let name = "vertical velocity after an impact";
+            self.add(role, name, "kept: a ball hops or is pressed down", "");
+        }
+        if scene.effects.pockets.is_some() {
+            let name = "pockets: centre on its way of a step";
+            self.add(Role::Other, name, "looked at by the workbench", "");
         }
     }
 

@@ -3,24 +3,29 @@
 //! Balls are dynamic bodies with one ball collider each. The cloth is a half-space below them with the scene's friction,
 //! and gravity presses them onto it, so that rapier itself supplies the law of friction; a scene without a cloth has
 //! neither, and nothing moves its balls off the plane. A cushion is a vertical half-space at the edge of the table. Balls
-//! do not rotate where the scene does not call for it.
+//! do not rotate where the scene does not call for it. Friction between balls that depends on their slip speed is the one
+//! thing that rapier asks for before each step; loads from outside are set by the stepping loop.
 
 use super::rapier::dynamics::{
     CoefficientCombineRule, FrictionModel, IntegrationParameters, LockedAxes, RigidBodyBuilder,
     RigidBodyHandle, SpringCoefficients,
 };
 use super::rapier::geometry::{
-    Collider, ColliderBuilder, ColliderHandle, ContactPair, Group, InteractionGroups,
-    InteractionTestMode, SharedShape,
+    Collider, ColliderBuilder, ColliderHandle, ContactManifold, ContactPair, Group,
+    InteractionGroups, InteractionTestMode, SharedShape,
 };
 use super::rapier::math::{Real, Vector};
 use super::rapier::parry::shape::HalfSpace;
-use super::rapier::pipeline::PhysicsWorld;
+use super::rapier::pipeline::{
+    ActiveHooks, ContactModificationContext, PhysicsHooks, PhysicsWorld,
+};
+use crate::engine::rapier::cloth::Load;
 use crate::engine::rapier::interface::{Other, Push, World};
+use crate::engine::rapier::materials::{self, Coefficient, Material, Rule};
 use crate::engine::rapier::settings::{Ccd, Friction, Settings};
 use crate::engine::{Inside, PairMaterial, Partner};
 use crate::math::{Real as Scalar, Vec3};
-use crate::physics::{Cloth, Contact, Cushion, Side, State};
+use crate::physics::{self, Body, Side, State};
 use crate::scene::{Ball, Scene};
 
 /// Collision group of the balls.
@@ -41,6 +46,7 @@ pub(in crate::engine::rapier) struct Billiard {
     colliders: Vec<ColliderHandle>,
     cloth: Option<ColliderHandle>,
     cushions: Vec<ColliderHandle>,
+    rub: Rub,
     /// Which balls slept when the last step began; empty where nothing may sleep.
     slept: Vec<bool>,
 }
@@ -55,6 +61,7 @@ impl Billiard {
             colliders: Vec::new(),
             cloth: None,
             cushions: Vec::new(),
+            rub: Rub::of(scene),
             slept: vec![
                 false;
                 if settings.can_sleep {
@@ -66,18 +73,18 @@ impl Billiard {
         };
         billiard.world.integration_parameters = parameters(settings);
         billiard.world.gravity = Vector::ZERO;
-        if let Some(Cloth::Translational { mu }) = scene.effects.cloth {
+        if let Some(material) = materials::cloth(&scene.effects) {
             billiard.world.gravity = Vector::new(0.0, 0.0, -lift(scene.gravity));
-            billiard.cloth = Some(billiard.lay_cloth(mu));
+            billiard.cloth = Some(billiard.lay_cloth(material));
         }
-        if let (Some(Cushion::Elastic {}), Some(table)) = (scene.effects.cushion, scene.table) {
+        if let (Some(material), Some(table)) = (materials::cushion(&scene.effects), scene.table) {
             for side in Side::ALL {
                 let edges = if side.sign() < 0 {
                     table.min
                 } else {
                     table.max
                 };
-                let cushion = billiard.put_cushion(side, edges[side.axis()]);
+                let cushion = billiard.put_cushion(material, side, edges[side.axis()]);
                 billiard.cushions.push(cushion);
             }
         }
@@ -87,25 +94,18 @@ impl Billiard {
         billiard
     }
 
-    fn lay_cloth(&mut self, mu: f64) -> ColliderHandle {
-        let collider = half_space(Vector::Z, Vector::ZERO)
-            .friction(lift(mu))
-            .friction_combine_rule(CoefficientCombineRule::Max)
-            .restitution(0.0)
-            .restitution_combine_rule(CoefficientCombineRule::Min)
-            .user_data(CLOTH_TAG);
+    fn lay_cloth(&mut self, material: Material) -> ColliderHandle {
+        let collider = of(half_space(Vector::Z, Vector::ZERO), material).user_data(CLOTH_TAG);
         self.world.insert_collider(collider, None)
     }
 
-    fn put_cushion(&mut self, side: Side, edge: f64) -> ColliderHandle {
+    fn put_cushion(&mut self, material: Material, side: Side, edge: f64) -> ColliderHandle {
         let mut inward = [0.0; 3];
         inward[side.axis()] = -lift(f64::from(side.sign()));
         let mut foot = [0.0; 3];
         foot[side.axis()] = lift(edge);
-        let collider = half_space(Vector::from(inward), Vector::from(foot))
-            .friction(0.0)
-            .restitution(1.0)
-            .user_data(CUSHION_TAG + side as u128);
+        let collider = half_space(Vector::from(inward), Vector::from(foot));
+        let collider = of(collider, material).user_data(CUSHION_TAG + side as u128);
         self.world.insert_collider(collider, None)
     }
 
@@ -128,21 +128,16 @@ impl Billiard {
             .ccd_enabled(bullet)
             .soft_ccd_prediction(lift(settings.soft_ccd_prediction))
             .allow_fast_rotation(settings.allow_fast_rotation);
-        let restitution = match scene.effects.contact {
-            Some(Contact::Elastic {}) | None => 1.0,
-            Some(Contact::Inelastic { e }) => e,
-        };
         let met = match scene.effects.contact {
             Some(_) => BALLS | TABLE,
             None => TABLE,
         };
         let collider = ColliderBuilder::ball(lift(ball.radius))
             .mass(lift(ball.mass))
-            .friction(0.0)
-            .restitution(lift(restitution))
-            .restitution_combine_rule(CoefficientCombineRule::Min)
             .collision_groups(InteractionGroups::new(BALLS, met, InteractionTestMode::And))
+            .active_hooks(self.rub.hooks())
             .user_data(index as u128);
+        let collider = of(collider, materials::ball(&scene.effects));
         let (body, collider) = self.world.insert(body, collider);
         self.world.bodies[body].recompute_mass_properties_from_colliders(&self.world.colliders);
         self.bodies.push(body);
@@ -210,16 +205,8 @@ impl Billiard {
             return None;
         }
         let mut on_first = Vec3::zeros();
-        for manifold in pair.solver_manifolds() {
-            // without a solver contact the impulse is one of an earlier step
-            if !manifold.data.solver_contacts.is_empty() {
-                let size: f64 = manifold
-                    .points
-                    .iter()
-                    .map(|p| p.data.impulse.to_f64())
-                    .sum();
-                on_first -= read(manifold.data.normal) * size;
-            }
+        for (normal, size) in acting(pair) {
+            on_first -= normal * size;
         }
         if on_first == Vec3::zeros() {
             return None;
@@ -260,7 +247,40 @@ impl World for Billiard {
             *slept = self.world.bodies[*body].is_sleeping();
         }
         self.world.integration_parameters.dt = lift(dt);
-        self.world.step();
+        self.world.step_with_events(&self.rub, &());
+    }
+
+    fn load(&mut self, ball: usize, load: &Load) {
+        let body = &mut self.world.bodies[self.bodies[ball]];
+        body.reset_forces(false);
+        body.reset_torques(false);
+        if !body.is_sleeping() {
+            body.add_force(vector(&load.force), false);
+            body.add_torque(vector(&load.torque), false);
+        }
+    }
+
+    fn remove(&mut self, ball: usize) {
+        self.world.bodies[self.bodies[ball]].set_enabled(false);
+    }
+
+    fn presses(&self, presses: &mut Vec<f64>) {
+        presses.clear();
+        presses.resize(self.bodies.len(), 0.0);
+        let Some(cloth) = self.cloth else {
+            return;
+        };
+        for pair in self.world.narrow_phase.contact_pairs_with(cloth) {
+            let ball = if pair.collider1 == cloth {
+                pair.collider2
+            } else {
+                pair.collider1
+            };
+            let index = self.world.colliders.get(ball).map(|c| c.user_data as usize);
+            if let Some(press) = index.and_then(|index| presses.get_mut(index)) {
+                *press = acting(pair).map(|(_, size)| size).sum();
+            }
+        }
     }
 
     fn read(&self, states: &mut Vec<State>) {
@@ -356,6 +376,86 @@ fn half_space(normal: Vector, foot: Vector) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(HalfSpace::new(normal)))
         .translation(foot)
         .collision_groups(groups)
+}
+
+/// A collider of the given material.
+fn of(collider: ColliderBuilder, material: Material) -> ColliderBuilder {
+    let rule = |coefficient: Coefficient| match coefficient.rule {
+        Rule::Average => CoefficientCombineRule::Average,
+        Rule::Min => CoefficientCombineRule::Min,
+        Rule::Max => CoefficientCombineRule::Max,
+    };
+    collider
+        .friction(lift(material.friction.value))
+        .friction_combine_rule(rule(material.friction))
+        .restitution(lift(material.restitution.value))
+        .restitution_combine_rule(rule(material.restitution))
+}
+
+/// Normal and normal impulse of every contact that acted between two colliders in the last step.
+fn acting(pair: &ContactPair) -> impl Iterator<Item = (Vec3, f64)> {
+    // without a solver contact the impulse is one of an earlier step
+    let acts = |manifold: &&ContactManifold| !manifold.data.solver_contacts.is_empty();
+    pair.solver_manifolds().iter().filter(acts).map(|manifold| {
+        let impulses = manifold.points.iter().map(|p| p.data.impulse.to_f64());
+        (read(manifold.data.normal), impulses.sum())
+    })
+}
+
+/// Friction between balls that depends on their slip speed: rapier asks for the coefficient before every step.
+struct Rub {
+    /// `None` where one number does for every slip speed.
+    law: Option<physics::Friction>,
+}
+
+impl Rub {
+    fn of(scene: &Scene) -> Self {
+        let law = scene.effects.friction.filter(|law| match law {
+            physics::Friction::Constant { .. } => false,
+            physics::Friction::Alciatore { .. } => true,
+        });
+        Rub { law }
+    }
+
+    fn hooks(&self) -> ActiveHooks {
+        match self.law {
+            Some(_) => ActiveHooks::MODIFY_SOLVER_CONTACTS,
+            None => ActiveHooks::empty(),
+        }
+    }
+}
+
+impl PhysicsHooks for Rub {
+    fn modify_solver_contacts(&self, context: &mut ContactModificationContext<'_>) {
+        let (Some(law), Some(first), Some(second)) =
+            (self.law, context.rigid_body1, context.rigid_body2)
+        else {
+            return;
+        };
+        let ball = |body: RigidBodyHandle, collider: ColliderHandle| {
+            let body = &context.bodies[body];
+            let shape = context.colliders[collider].shape().as_ball()?;
+            let motion = Body {
+                velocity: read(body.linvel()),
+                spin: read(body.angvel()),
+                mass: body.mass().to_f64(),
+                radius: shape.radius.to_f64(),
+            };
+            Some((read(body.translation()), motion))
+        };
+        let balls = (
+            ball(first, context.collider1),
+            ball(second, context.collider2),
+        );
+        let (Some((from, first)), Some((to, second))) = balls else {
+            return;
+        };
+        let normal = (to - from).normalize();
+        let slip = physics::friction::slip_velocity(&first, &second, &normal).norm();
+        if let Some(manifold) = context.rigid_mut() {
+            *manifold.friction = lift(physics::friction::coefficient(law, slip));
+        }
+    }
 }
 
 /// What rapier makes of the materials of two colliders.

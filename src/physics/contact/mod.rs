@@ -1,5 +1,4 @@
-//! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, see
-//! [`friction`](super::friction).
+//! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, with a room of its own.
 
 pub mod elastic;
 pub mod inelastic;

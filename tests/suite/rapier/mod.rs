@@ -4,6 +4,8 @@
 mod contract;
 mod demands;
 mod discs;
+mod effects;
+mod impacts;
 mod settings;
 mod traces;
 mod traps;
