@@ -181,8 +181,12 @@ pub struct EffectsArguments {
     #[arg(long, conflicts_with_all = ["scene", "threshold"])]
     pub curves: bool,
     /// Engines with optional settings, as in `carom compare`; the exact engine always runs, and the first that reaches the end of the
-    /// whole scene is what all else is held against.
-    #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
+    /// whole scene is what all else is held against. The stepper as the report wrote it lets pairs stick, which hides what effects do.
+    #[arg(
+        long,
+        value_name = "LIST",
+        default_value = "exact,stepper:contact=approaching-only"
+    )]
     pub engines: String,
     /// A shot needs an effect when leaving it out moves a ball by more than this.
     #[arg(long, value_name = "R", default_value_t = 0.1)]

@@ -133,7 +133,7 @@ pub fn ladder(outcome: &Outcome) -> Option<Table> {
         "The scene's effects one upon the other; no scene is linked with it by `richer`."
     };
     Some(Table {
-        id: "ladder".to_owned(),
+        id: "rungs".to_owned(),
         title: format!("The ladder, in {}", outcome.columns[column].label()),
         columns,
         rows,
