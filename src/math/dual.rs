@@ -35,6 +35,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 
     /// `value`, where a small step of `self` moves it `slope` as much.
+    #[inline]
     fn chain(&self, value: T, slope: T) -> Self {
         Dual {
             value,
@@ -43,6 +44,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 
     /// `value`, where small steps of both inputs move it by `by_self` and `by_other`.
+    #[inline]
     fn chain2(&self, other: &Self, value: T, by_self: T, by_other: T) -> Self {
         Dual {
             value,
@@ -67,6 +69,7 @@ impl<T: PartialOrd, const N: usize> PartialOrd for Dual<T, N> {
 
 impl<T: Real, const N: usize> Add for Dual<T, N> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Dual {
             value: self.value + other.value,
@@ -77,6 +80,7 @@ impl<T: Real, const N: usize> Add for Dual<T, N> {
 
 impl<T: Real, const N: usize> Sub for Dual<T, N> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Dual {
             value: self.value - other.value,
@@ -87,6 +91,7 @@ impl<T: Real, const N: usize> Sub for Dual<T, N> {
 
 impl<T: Real, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         self.chain(-self.value, -T::one())
     }
@@ -94,6 +99,7 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
 
 impl<T: Real, const N: usize> Mul for Dual<T, N> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         self.chain2(&other, self.value * other.value, other.value, self.value)
     }

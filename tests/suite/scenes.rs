@@ -1,9 +1,11 @@
 //! The catalogue: every scene is what its name says, to the bit where others have its numbers.
 
 use crate::support::{G, MU, R};
+use carom::math::Vec3;
 use carom::math::random::Draws;
+use carom::physics::cue::Strike;
 use carom::physics::{Cloth, Contact, Cushion};
-use carom::scene::{Scene, Shot, Table, catalogue, is_kebab_case, parse, schema};
+use carom::scene::{Scene, Shot, Table, catalogue, is_kebab_case, parse, plan_vector, schema};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -150,6 +152,79 @@ fn the_report_break_is_that_of_the_report() {
     };
     assert_eq!(scene.shot, Some(shot));
     assert!(scene.balls[1..].iter().all(|ball| ball.state.is_at_rest()));
+}
+
+/// A pool ball on a rotating cloth, struck off its centre.
+const STRIKE: &str = r#"name = "strike"
+duration = 5.0
+gravity = 9.81
+units = { length = "m", length_in_metres = 1.0 }
+[ball]
+radius = 0.028575
+mass = 0.170097
+[[balls]]
+id = "cue"
+position = [0.5, 0.5]
+[shot.strike]
+ball = "cue"
+speed = 2.0
+angle_deg = 30.0
+elevation_deg = 5.0
+cue_mass = 0.567
+end_mass = 0.0056699
+side = 0.3
+top = -0.2
+[effects.cloth.rotational]
+mu_slide = 0.2
+mu_roll = 0.01
+mu_spin = 0.0127
+[effects.contact.inelastic]
+e = 0.95
+[effects.friction.alciatore]
+a = 0.009951
+b = 0.108
+c = 1.088
+"#;
+
+#[test]
+fn a_strike_is_played_when_the_scene_is_read_and_the_scene_remembers_it() {
+    let scene = parse("strike.toml", STRIKE).unwrap();
+    let strike = Strike {
+        speed: 2.0,
+        angle_deg: 30.0,
+        elevation_deg: 5.0,
+        cue_mass: 0.567,
+        end_mass: Some(0.0056699),
+        side: 0.3,
+        top: -0.2,
+    };
+    assert_eq!(scene.shot, Some(Shot::Strike { ball: 0, strike }));
+    assert_eq!(scene.cue_ball(), 0);
+    let cue = &scene.balls[0];
+    let motion = strike.motion(cue.mass, cue.radius);
+    assert_eq!(cue.state.velocity, motion.velocity);
+    assert_eq!(cue.state.spin, motion.spin);
+    // the energy of a rotating scene is that of velocity and spin, I = 2/5 m R^2
+    let turning = 0.2 * cue.mass * (cue.radius * motion.spin.norm()).powi(2);
+    let energy = 0.5 * cue.mass * motion.velocity.norm_squared() + turning;
+    assert!((scene.initial_energy() - energy).abs() <= 8.0 * f64::EPSILON * energy);
+    assert!(turning > 0.01 * energy);
+    // what is absent is the middle of the ball, a level cue and no deflection
+    let mut plain = STRIKE.to_owned();
+    for line in [
+        "elevation_deg = 5.0\n",
+        "end_mass = 0.0056699\n",
+        "side = 0.3\n",
+        "top = -0.2\n",
+    ] {
+        plain = plain.replacen(line, "", 1);
+    }
+    let plain = parse("strike.toml", &plain).unwrap();
+    assert_eq!(plain.balls[0].state.spin, Vec3::zeros());
+    let along = plan_vector(1.0, 30.0);
+    let aside = plain.balls[0].state.velocity.cross(&along);
+    assert!(aside.norm() <= 4.0 * f64::EPSILON * plain.largest_speed());
+    assert_ne!(plain.hash(), scene.hash());
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, with a room of its own.
+//! Impulses of ball-ball impacts. One file per law; friction between the balls is a choice of its own, see
+//! [`friction`].
 
 pub mod elastic;
 pub mod inelastic;
@@ -26,6 +27,21 @@ pub fn plan_distance<T: Real>(r1: T, r2: T) -> T {
 /// three-dimensional: friction lifts one ball and presses the other down. What a cloth does about that is
 /// [`Motion::on_cloth`].
 pub fn impact<T: Real>(
+    law: Contact<T>,
+    friction: Option<Friction<T>>,
+    first: &Body<T>,
+    second: &Body<T>,
+    n: &Vector3<T>,
+) -> (Motion<T>, Motion<T>) {
+    match (law, friction) {
+        (Contact::Elastic {}, None) => elastic::impact(first, second, n),
+        _ => richer(law, friction, first, second, n),
+    }
+}
+
+/// Every law but the simplest, kept out of the code of those who need only that.
+#[inline(never)]
+fn richer<T: Real>(
     law: Contact<T>,
     friction: Option<Friction<T>>,
     first: &Body<T>,

@@ -14,7 +14,6 @@ use nalgebra::Vector3;
 ///
 /// Without slip `v_x' = v_x (1 - (1 + e) cos^2 th)` in plan: where `cos^2 th < 1 / (1 + e)` the law lets a ball go on into the cushion,
 /// more slowly. A pool cushion (`height` 1.28, `cos^2 th` .92) is far from that.
-#[inline(never)]
 pub fn impact<T: Real>([e, mu, height]: [T; 3], ball: &Body<T>, side: Side) -> Motion<T> {
     let (v, w) = (facing(side, &ball.velocity), facing(side, &ball.spin));
     let (sin, cos) = nose(height);

@@ -23,6 +23,18 @@ pub struct Rebound<T: Real = f64> {
 /// The velocity is three-dimensional: a nose above the centre presses the ball down. What a cloth does about that is
 /// [`Motion::on_cloth`].
 pub fn impact<T: Real>(law: Cushion<T>, ball: &Body<T>, side: Side) -> Rebound<T> {
+    match law {
+        Cushion::Elastic {} => Rebound {
+            motion: elastic::impact(ball, side),
+            error: 0.0,
+        },
+        _ => richer(law, ball, side),
+    }
+}
+
+/// Every law but the simplest, kept out of the code of those who need only that.
+#[inline(never)]
+fn richer<T: Real>(law: Cushion<T>, ball: &Body<T>, side: Side) -> Rebound<T> {
     let closed = |motion| Rebound { motion, error: 0.0 };
     match law {
         Cushion::Elastic {} => closed(elastic::impact(ball, side)),

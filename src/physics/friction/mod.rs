@@ -36,7 +36,6 @@ pub fn slip_velocity<T: Real>(first: &Body<T>, second: &Body<T>, n: &Vector3<T>)
 /// The first ball receives `-J_t u / |u|`, the second the opposite, with `J_t = min(mu J_n, 2/7 m1 m2 / (m1 + m2) |u|)`: the
 /// first is Coulomb's limit, the second the impulse that ends the slip of two solid spheres. Both spins change by
 /// `5 / (2 m R) n x J`. `J_n` is the normal impulse of `smooth`. `mu` is taken at the slip speed before the impact.
-#[inline(never)]
 pub fn rub<T: Real>(
     law: Friction<T>,
     first: &Body<T>,

@@ -22,6 +22,10 @@ pub const WORK: usize = 5;
 /// Impulse over which the turning of a creeping slip is looked at, in units of the ball's speed.
 const AHEAD: f64 = 1e-4;
 
+/// Steps that the direction of a beginning slip may take, and the change of its rate after which the next would be rounding.
+const ROUNDS: usize = 12;
+const SETTLED: f64 = 1e-9;
+
 /// What one contact does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -266,17 +270,22 @@ impl<T: Real> Contacts<T> {
             let determinant = p * q - b * c;
             [(q * x - b * y) / determinant, (p * y - c * x) / determinant]
         };
-        let speed = length(free);
-        let mut s = speed;
-        // quadratic convergence from above; one more step than f64 needs gives the derivatives
-        for _ in 0..12 {
+        // where friction acts against the slip, as at the cloth, this is the answer
+        let mut s = (length(free) - (a + d) / T::lift(2.0)).at_least(zero);
+        for _ in 0..ROUNDS {
             let u = solve(s, free);
             let size = length(u);
             let slope = dot(u, solve(s, u));
             if slope <= zero || !size.is_finite() {
                 break;
             }
-            s = (s + (size - one) * size * size / slope).at_least(zero);
+            let next = (s + (size - one) * size * size / slope).at_least(zero);
+            let change = (next - s).abs().to_f64();
+            s = next;
+            // convergence is quadratic, of the derivatives as well, which are one step behind
+            if change <= SETTLED {
+                break;
+            }
         }
         let u = solve(s, free);
         let size = length(u);

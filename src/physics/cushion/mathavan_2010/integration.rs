@@ -388,6 +388,9 @@ impl<T: Real> Integration<T> {
 
     /// Lag of each creeping contact.
     fn lags(&self) -> [f64; 2] {
+        if !self.modes.contains(&Mode::Creeps) {
+            return [0.0; 2];
+        }
         let asked = self.contacts.settled(&self.state, &self.modes);
         let lags = self.contacts.lags(&self.state, &self.modes, &asked);
         lags.map(|lag| lag.abs().to_f64())

@@ -25,7 +25,6 @@ use nalgebra::Vector3;
 
 /// Motion of a ball after it meets the cushion `side`. `[e, mu, mu_cloth, height]`: restitution of work, friction at the nose
 /// and at the cloth, height of the nose in radii.
-#[inline(never)]
 pub fn impact<T: Real>(numbers: [T; 4], ball: &Body<T>, side: Side) -> Rebound<T> {
     let (v, w) = (facing(side, &ball.velocity), facing(side, &ball.spin));
     let surface = w * ball.radius;
