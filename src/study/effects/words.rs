@@ -80,7 +80,8 @@ fn cost(outcome: &Outcome, variant: &Variant) -> String {
         .map(|owned| format!("moves ball {} by {} R", owned.ball, short(owned.value)));
     let falls = change.falls.first().map(|first| match change.falls.len() {
         1 => first.clone(),
-        n => format!("{first} ({} more falls change)", n - 1),
+        2 => format!("{first} and 1 other falls otherwise"),
+        n => format!("{first} and {} others fall otherwise", n - 1),
     });
     let both: Vec<String> = moves.into_iter().chain(falls).collect();
     both.join(", and ")
