@@ -74,53 +74,51 @@ impl Sizes {
         pairs.clear();
         if self.count == 1 {
             let bound = self.bounds[0];
-            scan(x, y, |_, _| bound, pairs);
+            for i in 0..x.len() {
+                // no branch inside: the compiler turns the row into wide lanes
+                let mut any = false;
+                for (xj, yj) in x[i + 1..].iter().zip(&y[i + 1..]) {
+                    any |= squared(x[i] - xj, y[i] - yj) < bound;
+                }
+                if any {
+                    self.collect_row(i, x, y, pairs);
+                }
+            }
         } else {
-            scan(
-                x,
-                y,
-                |i, j| self.bounds[self.class[i] * self.count + self.class[j]],
-                pairs,
-            );
+            for i in 0..x.len() {
+                let bounds = self.bounds_of(i);
+                let centres = x[i + 1..].iter().zip(&y[i + 1..]);
+                let mut any = false;
+                for ((xj, yj), &class) in centres.zip(&self.class[i + 1..]) {
+                    any |= squared(x[i] - xj, y[i] - yj) < bounds[class];
+                }
+                if any {
+                    self.collect_row(i, x, y, pairs);
+                }
+            }
+        }
+    }
+
+    /// Squared bounds of ball `i` with every class of radii.
+    fn bounds_of(&self, i: usize) -> &[f64] {
+        let first = self.class[i] * self.count;
+        &self.bounds[first..first + self.count]
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn collect_row(&self, i: usize, x: &[f64], y: &[f64], pairs: &mut Vec<(usize, usize)>) {
+        let bounds = self.bounds_of(i);
+        for j in i + 1..x.len() {
+            if squared(x[i] - x[j], y[i] - y[j]) < bounds[self.class[j]] {
+                pairs.push((i, j));
+            }
         }
     }
 }
 
-fn scan(
-    x: &[f64],
-    y: &[f64],
-    bound: impl Fn(usize, usize) -> f64,
-    pairs: &mut Vec<(usize, usize)>,
-) {
-    for i in 0..x.len() {
-        let (xi, yi) = (x[i], y[i]);
-        let squared = |xj: f64, yj: f64| (xi - xj) * (xi - xj) + (yi - yj) * (yi - yj);
-        // no branch inside: the compiler turns the row into wide lanes
-        let mut any = false;
-        for (j, (&xj, &yj)) in x.iter().zip(y).enumerate().skip(i + 1) {
-            any |= squared(xj, yj) < bound(i, j);
-        }
-        if any {
-            collect_row(i, x, y, &bound, pairs);
-        }
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn collect_row(
-    i: usize,
-    x: &[f64],
-    y: &[f64],
-    bound: &impl Fn(usize, usize) -> f64,
-    pairs: &mut Vec<(usize, usize)>,
-) {
-    for j in i + 1..x.len() {
-        let (dx, dy) = (x[i] - x[j], y[i] - y[j]);
-        if dx * dx + dy * dy < bound(i, j) {
-            pairs.push((i, j));
-        }
-    }
+fn squared(dx: f64, dy: f64) -> f64 {
+    dx * dx + dy * dy
 }
 
 /// What two balls do to each other.
