@@ -7,7 +7,6 @@
 //! first order in the step; neither takes more than what is there, so that they stop a ball and do not reverse it. Rolling
 //! resistance comes with the torque that keeps the ball rolling, so that friction has nothing to correct.
 
-use super::run::rest_speed;
 use crate::math::Vec3;
 use crate::physics::cloth::rotational::{
     Coefficients, rolling, rolling_spin, slip_velocity, spin_deceleration,
@@ -16,6 +15,14 @@ use crate::physics::cloth::translational;
 use crate::physics::invariants::sphere_inertia;
 use crate::physics::{Cloth, Motion, State};
 use crate::scene::Scene;
+
+/// Speed at or below which a ball counts as stopped, length/s: `1e-6 sqrt(g R)`, and 0 where nothing slows a ball.
+pub(super) fn rest_speed(scene: &Scene) -> f64 {
+    match scene.effects.cloth {
+        Some(_) => 1e-6 * (scene.gravity * scene.smallest_radius()).sqrt(),
+        None => 0.0,
+    }
+}
 
 /// Slip speeds and spins that rapier cannot tell from zero are below this many ulp of the largest speed of the scene: its solver
 /// holds the velocity of the contact point to a handful of roundings in every substep.

@@ -1,5 +1,6 @@
 //! The stepping loop, the same for both precisions.
 
+use super::cloth::rest_speed;
 use super::interface::World;
 use super::journal::{Journal, Span};
 use super::settings::Settings;
@@ -109,14 +110,6 @@ impl<W: World> Simulation<'_, W> {
             balls,
             why: "a state inside rapier stopped being a number".to_owned(),
         })
-    }
-}
-
-/// Speed at or below which a ball counts as stopped, length/s: `1e-6 sqrt(g R)`, and 0 where nothing slows a ball.
-pub(super) fn rest_speed(scene: &Scene) -> f64 {
-    match scene.effects.cloth {
-        Some(_) => 1e-6 * (scene.gravity * scene.smallest_radius()).sqrt(),
-        None => 0.0,
     }
 }
 

@@ -6,12 +6,14 @@
 mod causes;
 mod figures;
 mod page;
+mod scale;
 mod tables;
 mod words;
 
 pub use causes::Cause;
 pub(super) use figures::table_picture;
-pub use page::{LengthUnit, page, summary, thumbnail};
+pub use page::{page, summary, thumbnail};
+pub use scale::LengthUnit;
 pub use words::{
     describe_ending, describe_event, describe_growth, describe_kind, describe_order,
     describe_scene, describe_span,

@@ -1,22 +1,13 @@
 //! The document of a comparison: what the terminal shows, and the page of a report.
 
+use super::scale::{LengthUnit, Scale};
 use super::tables::{
-    Scale, attribution_table, ball_table, comparison_table, event_table, first_differences,
-    pair_table, sanity_table, settings, sheet,
+    attribution_table, ball_table, comparison_table, event_table, first_differences, pair_table,
+    sanity_table, settings, sheet,
 };
 use super::words::{describe_ending, describe_horizon, describe_scene};
 use super::{Outcome, PairOutcome, Standing, figures};
 use crate::finding::{Block, Cell, Document};
-
-/// Unit in which lengths are printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// The scene's smallest radius.
-    #[default]
-    Radius,
-    /// The scene's own unit.
-    Scene,
-}
 
 /// What the terminal shows of one scene.
 pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {

@@ -1,46 +1,10 @@
 //! The tables of a comparison, one function a table.
 
-use super::page::LengthUnit;
+use super::scale::Scale;
 use super::words::{describe_ending, describe_event, describe_order, describe_span};
 use super::{Entry, Outcome, Standing, figures, pair_label};
 use crate::engine::{Parameter, Role};
 use crate::finding::{Cell, Column, Table};
-
-/// How lengths are printed: a factor from R, and the unit's name.
-pub struct Scale {
-    factor: f64,
-    unit: String,
-}
-
-impl Scale {
-    /// The scale of a unit.
-    pub fn new(outcome: &Outcome, unit: LengthUnit) -> Self {
-        match unit {
-            LengthUnit::Radius => Scale {
-                factor: 1.0,
-                unit: "R".to_owned(),
-            },
-            LengthUnit::Scene => Scale {
-                factor: outcome.scene.smallest_radius(),
-                unit: outcome.scene.units.length.clone(),
-            },
-        }
-    }
-
-    fn cell(&self, in_radii: Option<f64>) -> Cell {
-        Cell::maybe(in_radii.map(|r| r * self.factor))
-    }
-
-    fn owned(&self, worst: Option<(f64, &str)>) -> Cell {
-        match worst {
-            Some((value, owner)) if !owner.is_empty() => {
-                Cell::Owned(value * self.factor, owner.to_owned())
-            }
-            Some((value, _)) => Cell::Number(value * self.factor),
-            None => Cell::Empty,
-        }
-    }
-}
 
 /// The main table: one row an engine.
 pub fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
