@@ -29,3 +29,15 @@ pub const UNTIL_PARTING: Metric = Metric {
         Measured::of_run(c.divergence.largest_before(until) / c.scene.smallest_radius())
     }),
 };
+
+/// Balls whose end is not the same: a pocket in one, the table or another pocket in the other.
+pub const POCKETS: Metric = Metric {
+    id: "pocket-disagreements",
+    unit: "",
+    what: "balls that fell into another pocket, or in only one of the two",
+    reads: Reads::Pair(|c: &Comparison<'_>| {
+        let differ = (0..c.trace.balls.len())
+            .filter(|&ball| c.trace.pocket_of(ball) != c.reference.pocket_of(ball));
+        Measured::of_run(differ.count() as f64)
+    }),
+};

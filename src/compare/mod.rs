@@ -125,6 +125,7 @@ pub const METRICS: &[Metric] = &[
     stop_time::STILL_MOVING,
     final_position::FINAL_POSITION,
     final_position::UNTIL_PARTING,
+    final_position::POCKETS,
     order::STRICT,
     order::TOLERANT,
     order::COLLISIONS,

@@ -186,11 +186,17 @@ impl Trace {
         self.certainty.clear();
     }
 
+    /// Number of the pocket into which ball `i` fell; `None` while it is in play.
+    pub fn pocket_of(&self, i: usize) -> Option<u32> {
+        self.events.iter().find_map(|event| match event.kind {
+            EventKind::Pocket(ball, pocket) if ball as usize == i => Some(pocket),
+            _ => None,
+        })
+    }
+
     /// True when ball `i` left play.
     pub fn pocketed(&self, i: usize) -> bool {
-        self.events
-            .iter()
-            .any(|event| matches!(event.kind, EventKind::Pocket(ball, _) if ball as usize == i))
+        self.pocket_of(i).is_some()
     }
 
     /// State of ball `i` at time `t`; `None` from the moment at which it left play.

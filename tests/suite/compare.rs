@@ -305,3 +305,25 @@ fn errors_are_quoted_up_to_the_horizon() {
         "{within:e} and {before:e}"
     );
 }
+
+#[test]
+fn a_ball_that_falls_elsewhere_is_counted() {
+    let scene = catalogue::scene("ladder-pockets").unwrap();
+    let reference = exact(&scene);
+    let fallen = |trace: &Trace| {
+        let findings = of_pair(&Comparison::new(&scene, trace, &reference), "exact");
+        let found = findings.iter().find(|f| f.metric == "pocket-disagreements");
+        found.and_then(|finding| finding.value).unwrap()
+    };
+    assert_eq!(fallen(&reference), 0.0);
+    // the scene says that ball 1 falls into p5
+    let ball = scene.ball_index("1").unwrap();
+    assert_eq!(reference.pocket_of(ball), Some(5));
+    let mut elsewhere = reference.clone();
+    for event in &mut elsewhere.events {
+        if let EventKind::Pocket(_, pocket) = &mut event.kind {
+            *pocket = 4;
+        }
+    }
+    assert_eq!(fallen(&elsewhere), 1.0);
+}
