@@ -2,6 +2,7 @@
 
 use super::claims::{self, Claim};
 use super::compare::{self, Cause, Outcome, PairOutcome};
+use super::curves;
 use super::ensemble;
 use super::matrix::{Column, Timing, Watch};
 use crate::engine::ENGINES;
@@ -18,6 +19,9 @@ const GOOD_WITHIN: f64 = 1e-2;
 const REPORTS_MODEL: &str = "stepper";
 /// What it is held against there.
 const RIVAL: &str = "rapier-f64";
+
+/// The engines of the page of the impact laws.
+const CURVES: [&str; 2] = ["exact", "stepper contact=approaching-only"];
 
 /// Runs the comparison of every scene and the audit, and writes the report as a document.
 ///
@@ -54,7 +58,26 @@ pub fn study(
     for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
         ensemble::surround(page, blocks);
     }
+    if !watch.is_cancelled() {
+        document.pages.extend(laws(columns, silent)?);
+    }
     Ok(document)
+}
+
+/// The page of the impact laws beside published curves, in the engines of the report that it is quick in; `None` if there are none.
+fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneError> {
+    let quick: Vec<Column> = columns
+        .iter()
+        .filter(|column| CURVES.contains(&column.label().as_str()))
+        .cloned()
+        .collect();
+    if quick.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(Document {
+        id: "laws".to_owned(),
+        ..curves::study(&quick, watch)?
+    }))
 }
 
 fn conclude(

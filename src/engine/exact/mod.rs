@@ -157,7 +157,7 @@ impl Engine for Exact {
         About {
             method: "Event-driven: every ball moves in closed form from one event to the next, and the time of each event is the \
                      first root of its equation; there is no time step.",
-            shares: "The impact laws (physics::contact, physics::cushion) with stepper; the cloth is written anew.",
+            shares: "The impact laws (physics: contact, friction, cushion) with stepper; the cloth is written anew.",
         }
     }
 
