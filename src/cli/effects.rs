@@ -1,9 +1,8 @@
 //! `carom effects`.
 
 use super::arguments::{EffectsArguments, parse_engines};
-use super::{Failure, output, scene, terminal};
+use super::{Failure, publish, scene, terminal};
 use crate::finding::Document;
-use crate::report;
 use crate::study::compare::plan;
 use crate::study::{Watch, curves, effects};
 use std::process::ExitCode;
@@ -38,12 +37,10 @@ pub fn effects(arguments: &EffectsArguments) -> Result<ExitCode, Failure> {
         }
     };
     drop(progress);
-    if let Some(folder) = &arguments.out {
-        output::write_files(folder, report::site(&page))?;
-    }
-    let printed = terminal::print(&report::render(&summary, &arguments.format).unwrap_or_default());
-    if let Some(folder) = &arguments.out {
-        terminal::say(&format!("Page: {}", folder.join("index.html").display()));
-    }
-    printed
+    publish(
+        &summary,
+        &arguments.format,
+        || page,
+        arguments.out.as_deref(),
+    )
 }

@@ -1,8 +1,7 @@
 //! `carom ensemble`.
 
 use super::arguments::{EnsembleArguments, parse_engines};
-use super::{Failure, output, scene, terminal};
-use crate::report;
+use super::{Failure, publish, scene, terminal};
 use crate::scene::Scene;
 use crate::scene::perturb::Law;
 use crate::study::Watch;
@@ -28,15 +27,12 @@ pub fn ensemble(arguments: &EnsembleArguments) -> Result<ExitCode, Failure> {
     let outcome = study(plan, watch);
     drop(progress);
     let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
-    if let Some(folder) = &arguments.out {
-        output::write_files(folder, report::site(&page(&outcome)))?;
-    }
-    let printed =
-        terminal::print(&report::render(&summary(&outcome), &arguments.format).unwrap_or_default());
-    if let Some(folder) = &arguments.out {
-        terminal::say(&format!("Page: {}", folder.join("index.html").display()));
-    }
-    printed
+    publish(
+        &summary(&outcome),
+        &arguments.format,
+        || page(&outcome),
+        arguments.out.as_deref(),
+    )
 }
 
 /// What the flags name varies and nothing else; without any, the scene's default law.

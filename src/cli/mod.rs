@@ -14,8 +14,10 @@ mod run;
 pub mod scene;
 mod terminal;
 
+use crate::finding::Document;
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// It could not run: bad usage, bad scene, a file that cannot be written.
@@ -73,6 +75,23 @@ pub fn main() -> ExitCode {
             ExitCode::from(COULD_NOT_RUN)
         }
     }
+}
+
+/// Writes a page where a folder is named, prints the summary, and says where the page is.
+fn publish(
+    summary: &Document,
+    format: &str,
+    page: impl FnOnce() -> Document,
+    folder: Option<&Path>,
+) -> Result<ExitCode, Failure> {
+    if let Some(folder) = folder {
+        output::write_files(folder, crate::report::site(&page()))?;
+    }
+    let printed = terminal::print(&crate::report::render(summary, format).unwrap_or_default());
+    if let Some(folder) = folder {
+        terminal::say(&format!("Page: {}", folder.join("index.html").display()));
+    }
+    printed
 }
 
 fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {

@@ -91,25 +91,27 @@ pub fn horizon(
     if scene.balls.len() > MOST_BALLS {
         return None;
     }
-    let against = match precision {
-        Precision::F32 => held_against::<f32, f64>,
-        Precision::F64 => held_against::<f64, DoubleDouble>,
-        Precision::Dd => held_against::<DoubleDouble, Octuple>,
+    let mut horizon = match precision {
+        Precision::F32 => held_against::<f32, f64>(scene, [precision, Precision::F64], limits),
+        Precision::F64 => {
+            held_against::<f64, DoubleDouble>(scene, [precision, Precision::Dd], limits)
+        }
+        Precision::Dd => {
+            held_against::<DoubleDouble, Octuple>(scene, [precision, Precision::F256], limits)
+        }
         Precision::F256 | Precision::Auto => return None,
     };
-    let mut horizon = against(scene, limits);
     horizon.trace.provenance.engine = Exact.id().to_owned();
-    horizon.precision = precision;
-    horizon.witness = match precision {
-        Precision::F32 => Precision::F64,
-        Precision::F64 => Precision::Dd,
-        _ => Precision::F256,
-    };
     horizon.growth = growth(scene, &horizon.trace, whole_growth);
     Some(horizon)
 }
 
-fn held_against<T: Real, W: Real>(scene: &Scene, limits: &Limits<'_>) -> Horizon {
+/// A run in `T` against one in `W`; `precisions`: their names.
+fn held_against<T: Real, W: Real>(
+    scene: &Scene,
+    precisions: [Precision; 2],
+    limits: &Limits<'_>,
+) -> Horizon {
     let (run, witness) = (solve::<T>(scene, limits), solve::<W>(scene, limits));
     let sights = sights(scene, &run, &witness);
     let failing = sights
@@ -124,8 +126,8 @@ fn held_against<T: Real, W: Real>(scene: &Scene, limits: &Limits<'_>) -> Horizon
             .map_or(run.trace.end_time, |sight| sight.event.time),
     };
     Horizon {
-        precision: Precision::default(),
-        witness: Precision::default(),
+        precision: precisions[0],
+        witness: precisions[1],
         sights,
         certain,
         until,

@@ -60,19 +60,17 @@ impl<T: Real> Loop<'_, T> {
         let time = self.now.to_f64();
         let stops = flight.moves() && !self.solver.flights[ball].moves();
         let slides = self.solver.spins[ball].slides;
+        let mut near = &before;
         if spin.turn == Turn::Unspun {
             self.count_event();
             self.recorder
-                .phase(ball, time, &before, &after, EventKind::SpinEnd(ball as u32));
+                .phase(ball, time, near, &after, EventKind::SpinEnd(ball as u32));
+            // what else ends at this instant finds the ball on the far side
+            near = &after;
         }
         if spin.slides && !slides && !stops {
             self.count_event();
             let rolls = EventKind::SlideToRoll(ball as u32);
-            let near = if spin.turn == Turn::Unspun {
-                &after
-            } else {
-                &before
-            };
             self.recorder.phase(ball, time, near, &after, rolls);
         }
         if !stops {
@@ -80,11 +78,6 @@ impl<T: Real> Loop<'_, T> {
             return None;
         }
         self.count_event();
-        let near = if spin.turn == Turn::Unspun {
-            &after
-        } else {
-            &before
-        };
         self.recorder.stop(ball, time, near, &after);
         self.predict_after_stop(ball, &flight)
     }
@@ -96,7 +89,6 @@ impl<T: Real> Loop<'_, T> {
         let (position, velocity) = self.solver.flights[ball].at(self.now);
         let last = self.solver.state(ball, position, velocity, self.now);
         self.moving -= usize::from(self.solver.is_active(ball));
-        self.pocketed[ball] = true;
         // from here on it is nowhere, and nothing meets it
         let nowhere = [T::lift(f64::INFINITY); 2];
         let zero = T::zero();

@@ -11,7 +11,7 @@ use crate::trace::{Provenance, Record, Trace};
 pub struct Solution<T> {
     /// Time of every event of the trace, s.
     pub times: Vec<T>,
-    /// Centres of all balls at the end, in scene order, length.
+    /// Centres of all balls at the end, in scene order, length; infinite for a ball that left play.
     pub positions: Vec<[T; 2]>,
     /// Velocities of all balls at the end, length/s.
     pub velocities: Vec<[T; 2]>,

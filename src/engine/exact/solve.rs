@@ -128,7 +128,6 @@ impl<'a, T: Real> Solver<'a, T> {
             now: T::zero(),
             moving: (0..n).filter(|ball| self.is_active(*ball)).count(),
             turned: Vec::new(),
-            pocketed: vec![false; n],
             streaks: Streaks::new(n),
             recorder,
             counts: Counts::default(),
@@ -187,8 +186,6 @@ pub struct Loop<'a, T: Real> {
     pub moving: usize,
     /// How the balls of the impact at hand turn, in a scene that calls for rotation.
     pub turned: Vec<Turned<T>>,
-    /// Balls that have left play.
-    pub pocketed: Vec<bool>,
     /// How often each ball was hit without time passing.
     pub streaks: Streaks<T>,
     /// The trace.

@@ -22,8 +22,7 @@
 //! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
 //! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
 
-use super::cloth::rest_speed;
-use super::cloth::{Felt, Load, is_aloft, lever, top_speed};
+use super::cloth::{Felt, Load, is_aloft, lever, rest_speed, top_speed};
 use super::interface::{Other, Push};
 use crate::math::Vec3;
 use crate::physics::invariants::kinetic_energy;

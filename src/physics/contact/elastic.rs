@@ -12,7 +12,16 @@ pub fn impact<T: Real>(
     second: &Body<T>,
     n: &Vector3<T>,
 ) -> (Motion<T>, Motion<T>) {
-    let approach = (first.velocity - second.velocity).dot(n);
+    exchange((first.velocity - second.velocity).dot(n), first, second, n)
+}
+
+/// The motions that a normal impulse `2 v_n m1 m2 / (m1 + m2)` leaves; `speed`: its `v_n`, length/s.
+pub(super) fn exchange<T: Real>(
+    speed: T,
+    first: &Body<T>,
+    second: &Body<T>,
+    n: &Vector3<T>,
+) -> (Motion<T>, Motion<T>) {
     // with equal masses each factor is exactly 1: the quotient must not round the exchange
     let (f1, f2) = if first.mass == second.mass {
         (T::one(), T::one())
@@ -22,11 +31,11 @@ pub fn impact<T: Real>(
     };
     (
         Motion {
-            velocity: first.velocity - n * (f1 * approach),
+            velocity: first.velocity - n * (f1 * speed),
             spin: first.spin,
         },
         Motion {
-            velocity: second.velocity + n * (f2 * approach),
+            velocity: second.velocity + n * (f2 * speed),
             spin: second.spin,
         },
     )

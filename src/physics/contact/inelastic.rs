@@ -1,5 +1,6 @@
 //! Impact of smooth balls with restitution: momentum is kept, the relative normal velocity is reversed and reduced.
 
+use super::elastic;
 use crate::math::Real;
 use crate::physics::{Body, Motion};
 use nalgebra::Vector3;
@@ -14,22 +15,6 @@ pub fn impact<T: Real>(
     second: &Body<T>,
     n: &Vector3<T>,
 ) -> (Motion<T>, Motion<T>) {
-    let two = T::lift(2.0);
-    let approach = (first.velocity - second.velocity).dot(n) * ((T::one() + e) / two);
-    let (f1, f2) = if first.mass == second.mass {
-        (T::one(), T::one())
-    } else {
-        let half_total = (first.mass + second.mass) / two;
-        (second.mass / half_total, first.mass / half_total)
-    };
-    (
-        Motion {
-            velocity: first.velocity - n * (f1 * approach),
-            spin: first.spin,
-        },
-        Motion {
-            velocity: second.velocity + n * (f2 * approach),
-            spin: second.spin,
-        },
-    )
+    let approach = (first.velocity - second.velocity).dot(n);
+    elastic::exchange(approach * ((T::one() + e) / T::lift(2.0)), first, second, n)
 }
