@@ -6,6 +6,7 @@ use crate::engine::exact::Precision;
 use crate::engine::{self, ENGINES, Limits, Setting};
 use crate::report::FORMATS;
 use crate::study::Column;
+use crate::study::cost::Grid;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -31,6 +32,12 @@ pub enum Command {
     Compare(CompareArguments),
     /// Compare many scenes and write a report: HTML, Markdown, CSV, JSON.
     Report(ReportArguments),
+    /// What accuracy costs in one scene: errors and times of every engine along its ladders of settings, and the cheapest setting for
+    /// each error.
+    ///
+    /// Ctrl-C ends it early: it concludes from what was run. What is timed runs alone; a machine that does something else is seen in the
+    /// column `noise`.
+    Cost(CostArguments),
     /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
     Horizon(HorizonArguments),
     /// Run many samples of one scene, varied by a stated law, and compare how the answers of engines are distributed.
@@ -155,6 +162,25 @@ pub struct ReportArguments {
     pub format: String,
 }
 
+/// Arguments of `carom cost`.
+#[derive(Debug, Args)]
+pub struct CostArguments {
+    /// A scene of the catalogue, or a scene file.
+    pub scene: String,
+    /// Engines to sweep, all of them if none is named; settings given with one hold at every level: rapier-f64:substeps=8.
+    #[arg(long, value_name = "LIST")]
+    pub engines: Option<String>,
+    /// small: seconds to a minute; full: every level of every ladder from more starts, which takes many minutes.
+    #[arg(long, value_parser = grids(), default_value = Grid::Small.id())]
+    pub grid: String,
+    /// Folder of the report that shows the prices; the page of the study goes to cost/SCENE below it.
+    #[arg(long, value_name = "DIR", default_value = DEFAULT_FOLDER)]
+    pub out: PathBuf,
+    /// How to print it; other formats than text have every setting.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
 /// Arguments of `carom horizon`.
 #[derive(Debug, Args)]
 pub struct HorizonArguments {
@@ -220,6 +246,10 @@ fn formats() -> PossibleValuesParser {
 /// The precisions that have a finer one to be held against.
 fn precisions() -> PossibleValuesParser {
     PossibleValuesParser::new(Precision::WITNESSED.map(Precision::id))
+}
+
+fn grids() -> PossibleValuesParser {
+    PossibleValuesParser::new(Grid::ALL.map(Grid::id))
 }
 
 fn engine_ids() -> PossibleValuesParser {

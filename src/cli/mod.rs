@@ -4,6 +4,7 @@
 
 mod arguments;
 mod compare;
+mod cost;
 mod effects;
 mod engines;
 mod ensemble;
@@ -100,6 +101,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Report(arguments)) => report::report(&arguments),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Compare(arguments)) => compare::compare(&arguments),
+        Some(Command::Cost(arguments)) => cost::cost(&arguments),
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),

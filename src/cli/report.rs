@@ -2,6 +2,7 @@
 
 use super::arguments::ReportArguments;
 use super::compare::columns;
+use super::cost::price_lists;
 use super::{Failure, output, scene, terminal};
 use crate::finding::{Block, Cell, Document, Table};
 use crate::report;
@@ -27,7 +28,11 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
         progress: &show,
         cancelled: terminal::cancelled(),
     };
-    let document = validation::study(&scenes, &columns, watch)?;
+    let prices = price_lists(
+        &arguments.out,
+        scenes.iter().map(|scene| scene.name.as_str()),
+    );
+    let document = validation::study(&scenes, &columns, &prices, watch)?;
     drop(progress);
     output::write_files(&arguments.out, report::site(&document))?;
     let printed = terminal::print(

@@ -40,7 +40,8 @@ pub fn largest_distance_at_end(scene: &Scene, a: &Trace, b: &Trace) -> Option<f6
     Some(largest / scene.smallest_radius())
 }
 
-/// Distance of each ball between the ends of two traces, length; `None` for a ball that left play in either.
+/// Distance of each ball between the ends of two traces, seen in plan, length; `None` for a ball that left play in either. How deep
+/// an engine lets a ball sink into the cloth is no place on the table.
 ///
 /// Two traces that ended at rest are compared there, others at the earlier end.
 pub(super) fn distances_at_end(a: &Trace, b: &Trace) -> Vec<Option<f64>> {
@@ -50,7 +51,7 @@ pub(super) fn distances_at_end(a: &Trace, b: &Trace) -> Vec<Option<f64>> {
             return None;
         }
         let (p, q) = (a.paths[i].state_at(end)?, b.paths[i].state_at(end)?);
-        Some((p.position - q.position).norm())
+        Some((p.position - q.position).xy().norm())
     };
     (0..a.paths.len().min(b.paths.len()))
         .map(distance)

@@ -48,8 +48,16 @@ pub trait Engine: Sync {
     /// Invariants that hold for every run of the scene with this setting; a trace that breaks one is a defect.
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant>;
 
-    /// Named families of settings from coarse to fine, for a study of cost.
+    /// Named families of settings from coarse to fine, for a study of cost; those that matter most first.
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)>;
+
+    /// How it goes through time with this setting, for plans. Errors: a setting that it refuses.
+    fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal>;
+
+    /// The same setting with nothing asleep: what is timed, so that a time is that of the whole scene.
+    fn awake(&self, setting: &Setting) -> Setting {
+        setting.clone()
+    }
 
     /// Settings that differ from `setting` in one knob each, and what that knob stands for: each removes one source of
     /// error, so that a study can name the one that makes a difference disappear.
@@ -61,6 +69,15 @@ pub trait Engine: Sync {
         scene: &'a Scene,
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal>;
+}
+
+/// How an engine goes through time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Its step, s; 0 for an engine that solves for its events.
+    pub step: f64,
+    /// Roughly what a simulated second costs, ns. It says which of two runs is longer and is never shown: measured times are.
+    pub cost: f64,
 }
 
 /// What a reader should know of an engine before believing its numbers.

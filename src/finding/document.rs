@@ -186,6 +186,10 @@ pub enum Style {
     Dashed,
     /// Points.
     Points,
+    /// Rings, to go around points that need a warning.
+    Rings,
+    /// Large crosses, for what has no proper place: a run that failed.
+    Crosses,
     /// Circles of this radius in the units of the axes, as balls on a table.
     Discs(f64),
 }

@@ -1,9 +1,11 @@
 //! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
 use crate::engine::{self, Engine, Limits, Parameter, Refusal, Setting};
+use crate::math::statistics::Distribution;
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
@@ -79,9 +81,38 @@ pub enum Timing {
     Alone,
 }
 
-/// Runs that take longer than this are timed once, s; shorter ones as often as fits into it.
-const ENOUGH_SECONDS: f64 = 0.05;
-const MOST_REPEATS: usize = 20;
+/// How much time goes into timing one cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// Runs that are timed even if they take longer than `seconds`.
+    pub least_runs: usize,
+    /// Runs that are timed at most.
+    pub most_runs: usize,
+    /// Between these, as many runs as fit into this time, s.
+    pub seconds: f64,
+}
+
+/// For times that stand beside a result.
+const IN_PASSING: Effort = Effort {
+    least_runs: 1,
+    most_runs: 20,
+    seconds: 0.05,
+};
+
+/// How long a cell takes, alone on the machine, without recording samples and without set-up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timed {
+    /// The shortest of the runs, s.
+    pub seconds: f64,
+    /// By how much the median of the runs was longer, relative: what a time is good to. `None` for a single run.
+    pub noise: Option<f64>,
+    /// Number of runs.
+    pub runs: usize,
+    /// Work counters of a run.
+    pub counters: BTreeMap<String, u64>,
+    /// Simulated time of a run, s.
+    pub simulated: f64,
+}
 
 /// Runs one scene in every column. Answers one cell a column, in order, for any number of threads.
 pub fn run_row(
@@ -106,6 +137,100 @@ pub fn run_row(
         Timing::None => columns.par_iter().map(run).collect(),
         Timing::Alone => columns.iter().map(run).collect(),
     }
+}
+
+/// One run of a list.
+#[derive(Clone, Debug)]
+pub struct Job<'a> {
+    /// What is run.
+    pub scene: &'a Scene,
+    /// In which engine, with which setting.
+    pub column: Column,
+    /// Roughly how long it takes, ns; the longest start first.
+    pub weight: f64,
+}
+
+/// Runs a list of jobs untimed and keeps of each only what `reduce` makes of it, given the number of the job. `done` is told the weight
+/// of each job that has finished.
+///
+/// Answers in the order of the jobs, the same for any number of threads. `None`: not run to its end because the user asked to stop.
+pub fn run_jobs<T: Send>(
+    jobs: &[Job<'_>],
+    record: Record,
+    cancelled: &AtomicBool,
+    done: impl Fn(&Job<'_>) + Sync,
+    reduce: impl Fn(usize, Result<Trace, Refusal>) -> T + Sync,
+) -> Vec<Option<T>> {
+    let mut order: Vec<usize> = (0..jobs.len()).collect();
+    order.sort_by(|a, b| jobs[*b].weight.total_cmp(&jobs[*a].weight));
+    let run = |&k: &usize| {
+        if cancelled.load(Ordering::Relaxed) {
+            return (k, None);
+        }
+        let job = &jobs[k];
+        let ran = run_cell(job.scene, &job.column, record, Timing::None, cancelled);
+        let trace = ran.map(|ran| ran.trace);
+        if matches!(&trace, Ok(trace) if trace.ending == Ending::Cancelled) {
+            return (k, None);
+        }
+        let reduced = reduce(k, trace);
+        done(job);
+        (k, Some(reduced))
+    };
+    // one at a time from the front: a thread that took a stretch of the list would end it alone
+    let mut answers: Vec<(usize, Option<T>)> = order.iter().par_bridge().map(run).collect();
+    answers.sort_by_key(|(k, _)| *k);
+    answers.into_iter().map(|(_, answer)| answer).collect()
+}
+
+/// Times one cell: a run to warm up, then several; nothing else runs meanwhile.
+///
+/// `None` where the user asked to stop before a run was timed.
+pub fn time_alone(
+    scene: &Scene,
+    column: &Column,
+    effort: Effort,
+    cancelled: &AtomicBool,
+) -> Result<Option<Timed>, Refusal> {
+    let limits = Limits {
+        cancelled,
+        ..Limits::NONE
+    };
+    let once = || -> Result<(f64, Trace), Refusal> {
+        // set-up is outside the stopwatch
+        let run = engine::prepare(column.engine, scene, &column.setting)?;
+        let start = Instant::now();
+        let trace = run.simulate(Record::Final, &limits);
+        Ok((start.elapsed().as_secs_f64(), trace))
+    };
+    let (first, warm) = once()?;
+    let (mut all, mut spent) = (Vec::new(), 0.0);
+    // where one run is long, it has been warm for most of it
+    if effort.least_runs == 1 || first > effort.seconds {
+        (all, spent) = (vec![first], first);
+    }
+    while !limits.is_cancelled() && all.len() < effort.most_runs {
+        if all.len() >= effort.least_runs && spent + first > effort.seconds {
+            break;
+        }
+        let (seconds, _) = once()?;
+        all.push(seconds);
+        spent += seconds;
+    }
+    // a run that was told to stop is short for that reason
+    if limits.is_cancelled() {
+        all.pop();
+    }
+    let Some(times) = Distribution::of(all) else {
+        return Ok(None);
+    };
+    Ok(Some(Timed {
+        seconds: times.least(),
+        noise: (times.count() > 1).then(|| times.quantile(0.5) / times.least() - 1.0),
+        runs: times.count(),
+        counters: warm.counters,
+        simulated: warm.end_time,
+    }))
 }
 
 /// How often the progress of many short cells is told.
@@ -164,31 +289,15 @@ fn run_cell(
     let first = start.elapsed().as_secs_f64();
     let seconds = match timing {
         Timing::None => None,
-        Timing::Alone => Some(shortest_of_several(scene, column, first, &limits)),
+        // a long run is not repeated for its time alone
+        Timing::Alone if first > IN_PASSING.seconds => Some(first),
+        Timing::Alone => {
+            time_alone(scene, column, IN_PASSING, cancelled)?.map(|timed| timed.seconds)
+        }
     };
     Ok(Ran {
         trace,
         sheet,
         seconds,
     })
-}
-
-/// The shortest time of a run, s: of the first one if that was long, else of as many as fit into a moment.
-fn shortest_of_several(scene: &Scene, column: &Column, first: f64, limits: &Limits<'_>) -> f64 {
-    let (mut best, mut spent) = (first, first);
-    for _ in 0..MOST_REPEATS {
-        if spent + best > ENOUGH_SECONDS || limits.is_cancelled() {
-            break;
-        }
-        // set-up is outside the stopwatch
-        let Ok(run) = engine::prepare(column.engine, scene, &column.setting) else {
-            break;
-        };
-        let start = Instant::now();
-        run.simulate(Record::Final, limits);
-        let seconds = start.elapsed().as_secs_f64();
-        spent += seconds;
-        best = best.min(seconds);
-    }
-    best
 }

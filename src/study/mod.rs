@@ -2,6 +2,7 @@
 
 pub mod claims;
 pub mod compare;
+pub mod cost;
 pub mod curves;
 pub mod effects;
 pub mod ensemble;

@@ -2,6 +2,7 @@
 
 use super::claims::{self, Claim};
 use super::compare::{self, Cause, Outcome, PairOutcome};
+use super::cost::{self, PriceList};
 use super::curves;
 use super::ensemble;
 use super::matrix::{Column, Timing, Watch};
@@ -25,10 +26,11 @@ const CURVES: [&str; 2] = ["exact", "stepper contact=approaching-only"];
 
 /// Runs the comparison of every scene and the audit, and writes the report as a document.
 ///
-/// `progress` counts scenes and the audit. A cancelled report concludes from what it has, and says so.
+/// `prices`: what earlier studies of cost left. `progress` counts scenes and the audit. A cancelled report concludes from what it has, and says so.
 pub fn study(
     scenes: &[Scene],
     columns: &[Column],
+    prices: &[PriceList],
     watch: Watch<'_>,
 ) -> Result<Document, SceneError> {
     let total = scenes.len() + 1;
@@ -54,7 +56,7 @@ pub fn study(
         claims::audit(silent)?
     };
     (watch.progress)(total, total, "done");
-    let mut document = conclude(scenes.len(), &outcomes, &claims, columns);
+    let mut document = conclude(scenes, &outcomes, &claims, columns, prices);
     for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
         ensemble::surround(page, blocks);
     }
@@ -81,11 +83,13 @@ fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneE
 }
 
 fn conclude(
-    planned: usize,
+    scenes: &[Scene],
     outcomes: &[Outcome],
     claims: &[Claim],
     columns: &[Column],
+    prices: &[PriceList],
 ) -> Document {
+    let planned = scenes.len();
     let mut blocks = Vec::new();
     if outcomes.len() < planned || claims.is_empty() {
         let text = format!(
@@ -107,6 +111,7 @@ fn conclude(
     }
     blocks.push(Block::Heading("What accuracy costs".to_owned()));
     blocks.push(Block::Figure(cost_figure(outcomes)));
+    blocks.extend(cost::listing(scenes, prices));
     blocks.push(Block::Heading("Engines, and who shares what".to_owned()));
     blocks.push(Block::Table(engine_table(columns)));
     blocks.push(Block::Heading("How to reproduce every number".to_owned()));

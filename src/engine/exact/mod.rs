@@ -47,7 +47,7 @@ pub use solution::{Solution, final_positions, solve};
 pub use solve::Partners;
 
 use super::setting::{knobs_of, parameters};
-use super::{About, Engine, Inside, Knob, Limits, Parameter, Refusal, Run, Setting};
+use super::{About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusal, Run, Setting};
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::physics::invariants::{Invariant, kinetic_energy, sphere_inertia};
 use crate::physics::{Contact, Cushion, Friction};
@@ -229,6 +229,19 @@ impl Engine for Exact {
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         let at = |precision: Precision| Setting::default().with("precision", precision.id());
         vec![("precision", Precision::FIXED.map(at).to_vec())]
+    }
+
+    fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
+        let settings: Settings = setting.read()?;
+        let operation = match settings.precision {
+            Precision::F32 | Precision::F64 | Precision::Auto => 1.0,
+            Precision::Dd => 20.0,
+            Precision::F256 => 200.0,
+        };
+        Ok(Pace {
+            step: 0.0,
+            cost: 1000.0 * operation * scene.balls.len() as f64,
+        })
     }
 
     fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {

@@ -24,7 +24,7 @@ mod single;
 pub use settings::{Ccd, Friction, Preset, Settings};
 
 use super::setting::knobs_of;
-use super::{About, Engine, Knob, Refusal, Run, Setting};
+use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
@@ -152,7 +152,7 @@ impl Engine for Rapier {
 
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         let steps = [
-            60.0, 120.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0, 16000.0,
+            60.0, 120.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0, 16000.0, 32000.0, 64000.0,
         ];
         let over_dt = |fixed: &[(&str, &str)]| {
             let base = fixed
@@ -170,12 +170,13 @@ impl Engine for Rapier {
                 .collect::<Vec<_>>()
         };
         vec![
-            ("dt", over_dt(&[])),
+            ("converging", over_dt(&[])),
+            ("stock", over_dt(&[("preset", "stock")])),
+            ("recycling", over_dt(&[("contact_recycling", "true")])),
             (
                 "substeps",
                 over("substeps", &["1", "2", "4", "8", "16", "32"]),
             ),
-            ("recycling", over_dt(&[("contact_recycling", "true")])),
             ("soft-ccd", over_dt(&[("soft_ccd_prediction", "10")])),
             (
                 "prediction",
@@ -184,8 +185,24 @@ impl Engine for Rapier {
                     &["0.16", "0.08", "0.04", "0.02", "0.01", "0.005"],
                 ),
             ),
-            ("stock", over_dt(&[("preset", "stock")])),
         ]
+    }
+
+    fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
+        let settings = Settings::read(setting)?.for_scene(scene)?;
+        let a_ball = 350.0 + 300.0 * settings.substeps as f64;
+        let nanoseconds = 1500.0 + a_ball * scene.balls.len() as f64;
+        Ok(Pace {
+            step: settings.dt,
+            cost: nanoseconds / settings.dt,
+        })
+    }
+
+    fn awake(&self, setting: &Setting) -> Setting {
+        match Settings::read(setting) {
+            Ok(settings) if settings.can_sleep => setting.clone().with("can_sleep", false),
+            _ => setting.clone(),
+        }
     }
 
     fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {

@@ -15,7 +15,7 @@ mod run;
 mod sheet;
 
 use super::setting::{knobs_of, refuse};
-use super::{About, Engine, Knob, Refusal, Run, Setting};
+use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, Contact};
 use crate::scene::{Scene, Shot};
@@ -166,6 +166,15 @@ impl Engine for Stepper {
             ("as-written", dt(&as_written)),
             ("approaching-only", dt(&approaching)),
         ]
+    }
+
+    fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
+        let dt = Settings::read(setting, scene)?.dt;
+        let nanoseconds = 10.0 + 5.0 * scene.balls.len() as f64;
+        Ok(Pace {
+            step: dt,
+            cost: nanoseconds / dt,
+        })
     }
 
     fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {

@@ -1,6 +1,6 @@
 //! The legend: one entry a name, in rows above the plot where it covers nothing.
 
-use super::series::{Look, Marker};
+use super::series::{Look, Marker, cross, ring};
 use super::{escape, names, px, text_width};
 use crate::finding::{Figure, Style};
 
@@ -26,7 +26,8 @@ struct Entry {
     lines: bool,
     dashed: bool,
     points: bool,
-    discs: bool,
+    rings: bool,
+    crosses: bool,
 }
 
 impl Legend {
@@ -59,7 +60,8 @@ impl Legend {
                 lines: drawn(|style| matches!(style, Style::Line)),
                 dashed: drawn(|style| matches!(style, Style::Dashed)),
                 points: drawn(|style| matches!(style, Style::Points)),
-                discs: drawn(|style| matches!(style, Style::Discs(_))),
+                rings: drawn(|style| matches!(style, Style::Discs(_) | Style::Rings)),
+                crosses: drawn(|style| matches!(style, Style::Crosses)),
             });
             legend.width = legend.width.max(x + length);
             x += length + 22.0;
@@ -87,12 +89,11 @@ impl Legend {
                 );
             }
             let middle = (x + 0.5 * SAMPLE, y);
-            if entry.discs {
-                sample += &format!(
-                    "<circle class=\"o\" cx=\"{}\" cy=\"{}\" r=\"6\"/>",
-                    px(middle.0),
-                    px(middle.1)
-                );
+            if entry.rings {
+                sample += &ring(middle, 6.0);
+            }
+            if entry.crosses {
+                sample += &cross(middle, 5.0);
             }
             if entry.points || (entry.lines && entry.look.marked) {
                 sample += &Marker::of(entry.look.index).at(middle, 4.0);

@@ -199,6 +199,8 @@ pub fn drawn(figure: &Figure, plane: &Plane, pen: &Pen) -> String {
                 content
             }
             Style::Points => points(series, plane, pen, Marker::of(index)),
+            Style::Rings => warnings(series, plane, pen, ring),
+            Style::Crosses => warnings(series, plane, pen, cross),
             Style::Discs(radius) => discs(series, plane, radius),
         };
         if !content.is_empty() {
@@ -295,17 +297,35 @@ fn points(series: &Series, plane: &Plane, pen: &Pen, marker: Marker) -> String {
         .collect()
 }
 
+fn warnings(series: &Series, plane: &Plane, pen: &Pen, shape: fn(Place, f64) -> String) -> String {
+    let shapes = places(series, plane)
+        .into_iter()
+        .map(|place| shape(place, 1.9 * pen.point));
+    shapes.collect()
+}
+
+/// A ring of radius `r`, px.
+pub fn ring((x, y): Place, r: f64) -> String {
+    format!(
+        "<circle class=\"o\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+        px(x),
+        px(y),
+        px(r)
+    )
+}
+
+/// A large cross.
+pub fn cross(place: Place, r: f64) -> String {
+    Marker::Cross.at(place, r)
+}
+
 fn discs(series: &Series, plane: &Plane, radius: f64) -> String {
     let unit = plane.x.length() / (2.0 * plane.x.range.half());
-    let r = px((radius.abs() * unit).clamp(0.5, 1e4));
-    let disc = |(x, y): Place| {
-        format!(
-            "<circle class=\"o\" cx=\"{}\" cy=\"{}\" r=\"{r}\"/>",
-            px(x),
-            px(y)
-        )
-    };
-    places(series, plane).into_iter().map(disc).collect()
+    let r = (radius.abs() * unit).clamp(0.5, 1e4);
+    places(series, plane)
+        .into_iter()
+        .map(|place| ring(place, r))
+        .collect()
 }
 
 /// Places of points, each once: those that fall on the same tenth of a pixel are one.

@@ -290,7 +290,7 @@ fn every_rung_of_every_ladder_can_run() {
         let ladders = engine.ladders();
         let names: Vec<&str> = ladders.iter().map(|(name, _)| *name).collect();
         for name in [
-            "dt",
+            "converging",
             "substeps",
             "recycling",
             "soft-ccd",

@@ -1,0 +1,66 @@
+//! `carom cost`.
+
+use super::arguments::{CostArguments, parse_engines};
+use super::{Failure, output, publish, scene, terminal};
+use crate::study::cost::{self, Grid, PriceList};
+use crate::study::{Column, Watch};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Folder of the studies of cost below that of a report, one folder a scene.
+const FOLDER: &str = "cost";
+
+/// The price list of a study, for a report to read.
+const PRICES: &str = "prices.json";
+
+/// Studies what accuracy costs in one scene, prints the price list and writes the page below the report's folder.
+pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
+    let named: Vec<Column> = match &arguments.engines {
+        Some(list) => parse_engines(list)?,
+        None => Vec::new(),
+    };
+    let grid = Grid::find(&arguments.grid).unwrap_or(Grid::Small);
+    let scene = scene::resolve(&arguments.scene)?;
+    let progress = terminal::Progress::new();
+    let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
+    let watch = Watch {
+        progress: &show,
+        cancelled: terminal::cancelled(),
+    };
+    let outcome = cost::study(&scene, &named, grid, watch)
+        .map_err(|refusal| Failure::Message(refusal.to_string()))?;
+    drop(progress);
+    let folder = folder(&arguments.out, &scene.name);
+    // everything for programs, what a reader can take in for a terminal
+    let shown = if arguments.format == "text" {
+        cost::summary(&outcome)
+    } else {
+        cost::page(&outcome)
+    };
+    let printed = publish(
+        &shown,
+        &arguments.format,
+        || cost::page(&outcome),
+        Some(&folder),
+    );
+    if !outcome.cancelled {
+        let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
+            .map_err(|error| Failure::Message(error.to_string()))?;
+        output::write_file(&folder.join(PRICES), list.as_bytes())?;
+    }
+    printed
+}
+
+fn folder(report: &Path, scene: &str) -> PathBuf {
+    report.join(FOLDER).join(scene)
+}
+
+/// The price lists that studies left below the folder of a report, of the scenes named. One that is missing or cannot be read is left
+/// out: the report names the command that makes it.
+pub fn price_lists<'a>(report: &Path, scenes: impl Iterator<Item = &'a str>) -> Vec<PriceList> {
+    let read = |scene: &str| {
+        let text = std::fs::read_to_string(folder(report, scene).join(PRICES)).ok()?;
+        serde_json::from_str(&text).ok()
+    };
+    scenes.filter_map(read).collect()
+}

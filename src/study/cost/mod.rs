@@ -1,0 +1,443 @@
+//! What accuracy costs: for one scene, how wrong each engine is at each setting, and for how much time.
+//!
+//! Plan: every ladder of every engine from coarse to fine, each level from several starts shifted within its step. Conclusion: the
+//! error of each level in what users read off, its time alone on the machine, the cheapest way to each error, how errors fall
+//! along a ladder, and which setting holds them where they do not.
+
+mod cause;
+mod figures;
+mod listing;
+mod page;
+mod plan;
+mod price;
+mod quantity;
+mod tables;
+mod verdict;
+mod words;
+
+pub use cause::{Cause, Parameters, Substitution};
+pub use listing::listing;
+pub use page::{page, summary};
+pub use plan::{Family, Grid, Level};
+
+pub use price::{Offer, Price, PriceList, THRESHOLDS, cheapest, front, noise, offers};
+pub use quantity::{Errors, Quantity};
+pub use verdict::{Fit, Kind, Verdict};
+
+use super::compare::{default_columns, describe_ending};
+use super::matrix::{self, Column, Effort, Job, Timed, Watch};
+use crate::engine::exact::horizon::horizon;
+use crate::engine::exact::{Exact, Precision};
+use crate::engine::{Limits, Refusal, Setting};
+use crate::finding::Finding;
+use crate::math::statistics::Distribution;
+use crate::scene::Scene;
+use crate::trace::{Record, Trace};
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Everything that a study of cost found.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The scene; its duration ends where the oracle can no longer be believed.
+    pub scene: Scene,
+    /// How much was run.
+    pub grid: Grid,
+    /// The engines and what was set for them, as asked for; empty for every engine.
+    pub named: Vec<Column>,
+    /// Why there is nothing to hold errors against, in one sentence; `None` if there is.
+    pub no_oracle: Option<String>,
+    /// When the oracle's horizon ends the study before the scene's own end, s.
+    pub certain_until: Option<f64>,
+    /// Simulated time of the shot, s.
+    pub simulated: f64,
+    /// The smallest time between two collisions of one ball, s; `None` without an oracle, or where no ball has two.
+    pub closest_hits: Option<f64>,
+    /// Every family, in the order of the engines.
+    pub families: Vec<Measured>,
+    /// Whether the user asked to stop before everything was run.
+    pub cancelled: bool,
+}
+
+/// A family with what its runs gave.
+#[derive(Debug)]
+pub struct Measured {
+    /// What was run.
+    pub family: Family,
+    /// One entry a level.
+    pub points: Vec<Point>,
+    /// How its errors fall; `None` where nothing ran.
+    pub verdict: Option<Verdict>,
+    /// Which setting is responsible where they do not; `None` where nothing has to be explained or the search was not run.
+    pub cause: Option<Cause>,
+}
+
+/// One level with what its runs gave.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// What was run.
+    pub level: Level,
+    /// Errors of each start; fewer than planned if the user asked to stop.
+    pub errors: Vec<Errors>,
+    /// Every effective parameter; empty where nothing ran.
+    pub parameters: Parameters,
+    /// Its time; `None` if the user asked to stop before.
+    pub timed: Option<Timed>,
+}
+
+impl Point {
+    /// Mean error over the starts; `None` where there is no such quantity or a run has no answer. Infinite if one is.
+    pub fn error(&self, quantity: Quantity) -> Option<f64> {
+        mean(self.errors.iter().map(|errors| errors.get(quantity)))
+    }
+
+    /// Smallest and largest error over the starts.
+    pub fn range(&self, quantity: Quantity) -> Option<(f64, f64)> {
+        let values: Option<Vec<f64>> = self.errors.iter().map(|e| e.get(quantity)).collect();
+        let values = Distribution::of(values?)?;
+        Some((values.least(), values.most()))
+    }
+
+    /// Largest gain of kinetic energy over the starts, E0.
+    pub fn gained(&self) -> Option<f64> {
+        self.errors
+            .iter()
+            .filter_map(|errors| errors.gained)
+            .reduce(f64::max)
+    }
+
+    /// Starts whose run did not reach the end that the scene asks for.
+    pub fn failed(&self) -> usize {
+        self.errors.iter().filter(|errors| !errors.complete).count()
+    }
+
+    /// Shortest time of a run, s.
+    pub fn seconds(&self) -> Option<f64> {
+        self.timed.as_ref().map(|timed| timed.seconds)
+    }
+}
+
+/// The mean, or nothing where a value is missing.
+fn mean(values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
+    let values: Vec<f64> = values.collect::<Option<_>>()?;
+    let count = values.len() as f64;
+    (count > 0.0).then(|| values.iter().sum::<f64>() / count)
+}
+
+/// Runs of one shifted start: the scene, and the oracle's run of it.
+struct Start {
+    scene: Scene,
+    oracle: Option<Trace>,
+}
+
+/// What the oracle runs in: more digits than any engine of the study but itself.
+fn oracle_column() -> Column {
+    Column {
+        engine: &Exact,
+        setting: Setting::default().with("precision", Precision::F256.id()),
+    }
+}
+
+/// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine.
+///
+/// Errors: a setting that an engine refuses, whatever the scene.
+pub fn study(
+    scene: &Scene,
+    named: &[Column],
+    grid: Grid,
+    watch: Watch<'_>,
+) -> Result<Outcome, Refusal> {
+    for column in named {
+        column.engine.pace(scene, &column.setting)?;
+    }
+    let mut scene = scene.clone();
+    let certain_until = believed(&scene, watch);
+    if let Some(until) = certain_until {
+        scene.duration = until;
+    }
+    let base = first(matrix::run_jobs(
+        &[Job {
+            scene: &scene,
+            column: oracle_column(),
+            weight: 1.0,
+        }],
+        Record::Events,
+        watch.cancelled,
+        |_| {},
+        |_, ran| ran,
+    ));
+    let (base, no_oracle) = match base {
+        None => (None, Some("the user asked to stop".to_owned())),
+        Some(Err(refusal)) => (None, Some(format!("exact {refusal}"))),
+        Some(Ok(trace)) if trace.ending.is_complete() => (Some(trace), None),
+        Some(Ok(trace)) => {
+            let why = describe_ending(&trace);
+            (Some(trace), Some(why))
+        }
+    };
+    let simulated = match (&base, &no_oracle) {
+        (Some(trace), None) => trace.end_time,
+        _ => longest(&scene, watch),
+    };
+    let closest_hits = match &no_oracle {
+        None => base.as_ref().and_then(words::closest_hits),
+        Some(_) => None,
+    };
+    let families = plan::families(&scene, named, grid, simulated);
+    let mut outcome = Outcome {
+        grid,
+        named: named.to_vec(),
+        no_oracle,
+        certain_until,
+        simulated,
+        closest_hits,
+        families: Vec::new(),
+        cancelled: false,
+        scene,
+    };
+    let planned = families
+        .iter()
+        .flat_map(|family| &family.levels)
+        .map(|level| level.work(simulated));
+    let runs = Runs {
+        scene: &outcome.scene.clone(),
+        base,
+        simulated,
+        starts: HashMap::new(),
+        done: AtomicU64::new(0),
+        planned: planned.sum(),
+        watch,
+    };
+    runs.fill(&mut outcome, families);
+    outcome.cancelled = watch.is_cancelled();
+    Ok(outcome)
+}
+
+/// Simulated time until the last of the default engines comes to its end, s: what a shot takes where the oracle does not know.
+fn longest(scene: &Scene, watch: Watch<'_>) -> f64 {
+    let job = |column| Job {
+        scene,
+        column,
+        weight: 1.0,
+    };
+    let jobs: Vec<Job<'_>> = default_columns().into_iter().map(job).collect();
+    let ends = matrix::run_jobs(
+        &jobs,
+        Record::Final,
+        watch.cancelled,
+        |_| {},
+        |_, ran| {
+            ran.ok()
+                .filter(|trace| trace.ending.is_complete())
+                .map(|trace| trace.end_time)
+        },
+    );
+    let ends = ends.into_iter().flatten().flatten();
+    ends.reduce(f64::max).unwrap_or(scene.duration)
+}
+
+fn first<T>(answers: Vec<Option<T>>) -> Option<T> {
+    answers.into_iter().next().flatten()
+}
+
+/// When the oracle can no longer be believed, s; `None` where it can to the end, or nothing is known.
+fn believed(scene: &Scene, watch: Watch<'_>) -> Option<f64> {
+    let limits = Limits {
+        cancelled: watch.cancelled,
+        ..Limits::NONE
+    };
+    let horizon = horizon(scene, Precision::Dd, false, &limits)?;
+    let whole = horizon.is_whole() || !horizon.trace.ending.is_complete();
+    (!whole && horizon.until < scene.duration).then_some(horizon.until)
+}
+
+/// Runs what a study plans, and tells how far it is.
+struct Runs<'a> {
+    scene: &'a Scene,
+    /// The exact run of the scene, as far as it goes.
+    base: Option<Trace>,
+    /// Simulated time of the shot, s.
+    simulated: f64,
+    /// Starts by step and number of starts.
+    starts: HashMap<(u64, usize), Vec<Start>>,
+    /// Work that is done, and work that is planned, ns.
+    done: AtomicU64,
+    planned: f64,
+    watch: Watch<'a>,
+}
+
+/// How often a cell is timed.
+const EFFORT: Effort = Effort {
+    least_runs: 2,
+    most_runs: 100,
+    seconds: 0.03,
+};
+
+impl<'a> Runs<'a> {
+    /// Work of one run of a level, ns.
+    fn work(&self, level: &Level) -> f64 {
+        level.pace.cost * self.simulated
+    }
+
+    fn tell(&self, work: f64, what: &str) {
+        let done = self.done.fetch_add(work as u64, Ordering::Relaxed) + work as u64;
+        // in steps of a hundredth of a second of work
+        let in_steps = |nanoseconds: f64| (nanoseconds * 1e-7) as usize;
+        let planned = in_steps(self.planned).max(1);
+        (self.watch.progress)(in_steps(done as f64).min(planned), planned, what);
+    }
+
+    /// Everything, in order: errors, verdicts, causes, times.
+    fn fill(mut self, outcome: &mut Outcome, families: Vec<Family>) {
+        let levels: Vec<Level> = families
+            .iter()
+            .flat_map(|f| f.levels.iter().cloned())
+            .collect();
+        let mut errors = self.errors(&levels).into_iter();
+        for family in families {
+            let points: Vec<Point> = family
+                .levels
+                .iter()
+                .zip(errors.by_ref())
+                .map(|(level, (errors, parameters))| Point {
+                    level: level.clone(),
+                    errors,
+                    parameters,
+                    timed: None,
+                })
+                .collect();
+            outcome.families.push(Measured {
+                verdict: verdict::judge(&points),
+                cause: None,
+                points,
+                family,
+            });
+        }
+        cause::find(outcome, &mut self);
+        self.time(outcome);
+    }
+
+    /// Errors of every start of every level, and the effective parameters of the level.
+    fn errors(&mut self, levels: &[Level]) -> Vec<(Vec<Errors>, Parameters)> {
+        for level in levels {
+            self.start(level);
+        }
+        let key = |level: &Level| (level.pace.step.to_bits(), level.phases);
+        let mut owners = Vec::new();
+        let mut jobs = Vec::new();
+        for (k, level) in levels.iter().enumerate() {
+            for start in &self.starts[&key(level)] {
+                owners.push((k, start));
+                jobs.push(Job {
+                    scene: &start.scene,
+                    column: level.column.clone(),
+                    weight: self.work(level),
+                });
+            }
+        }
+        let cadence = self.simulated / quantity::ENERGY_TIMES as f64;
+        let ran = matrix::run_jobs(
+            &jobs,
+            Record::Every(cadence),
+            self.watch.cancelled,
+            |job| self.tell(job.weight, &job.column.label()),
+            |k, ran| {
+                let start = owners[k].1;
+                let measured = ran.map(|trace| {
+                    let errors = Errors::of(&start.scene, &trace, start.oracle.as_ref());
+                    (errors, trace.provenance.parameters)
+                });
+                measured.unwrap_or_default()
+            },
+        );
+        let mut found = vec![(Vec::new(), Parameters::new()); levels.len()];
+        for ((k, _), (errors, parameters)) in
+            owners.iter().zip(ran).filter_map(|(o, r)| Some((o, r?)))
+        {
+            found[*k].0.push(errors);
+            found[*k].1 = parameters;
+        }
+        found
+    }
+
+    /// Makes the starts of a level, and runs the oracle on them.
+    fn start(&mut self, level: &Level) {
+        let key = (level.pace.step.to_bits(), level.phases);
+        if self.starts.contains_key(&key) {
+            return;
+        }
+        let phase = |k: usize| k as f64 / level.phases as f64;
+        let shifted = (0..level.phases).filter_map(|k| match &self.base {
+            Some(base) if k > 0 => plan::shifted(self.scene, base, level.pace.step, phase(k)),
+            Some(_) => Some(self.scene.clone()),
+            None => (k == 0).then(|| self.scene.clone()),
+        });
+        let scenes: Vec<Scene> = shifted.collect();
+        let jobs: Vec<Job<'_>> = scenes
+            .iter()
+            .map(|scene| Job {
+                scene,
+                column: oracle_column(),
+                weight: 1.0,
+            })
+            .collect();
+        let oracles = matrix::run_jobs(
+            &jobs,
+            Record::Events,
+            self.watch.cancelled,
+            |_| {},
+            |_, ran| ran.ok().filter(|trace| trace.ending.is_complete()),
+        );
+        let start = |(scene, oracle): (Scene, Option<Option<Trace>>)| Start {
+            scene,
+            oracle: oracle.flatten(),
+        };
+        let starts = scenes.into_iter().zip(oracles).map(start).collect();
+        self.starts.insert(key, starts);
+    }
+
+    /// Times every level, alone: the families in turn, from the cheapest level on, so that a study that was stopped has the
+    /// cheap ones of all.
+    fn time(&self, outcome: &mut Outcome) {
+        let mut order: Vec<(usize, usize)> = Vec::new();
+        for (f, measured) in outcome.families.iter().enumerate() {
+            order.extend((0..measured.points.len()).map(|p| (f, p)));
+        }
+        let work = |&(f, p): &(usize, usize)| self.work(&outcome.families[f].points[p].level);
+        order.sort_by(|a, b| work(a).total_cmp(&work(b)));
+        for (f, p) in order {
+            if self.watch.is_cancelled() {
+                return;
+            }
+            let level = &outcome.families[f].points[p].level;
+            let column = Column {
+                setting: level.column.engine.awake(&level.column.setting),
+                ..level.column.clone()
+            };
+            let work = plan::TIMING_RUNS * self.work(level);
+            let timed = matrix::time_alone(self.scene, &column, EFFORT, self.watch.cancelled);
+            self.tell(work, &format!("timing {}", column.label()));
+            outcome.families[f].points[p].timed = timed.ok().flatten();
+        }
+    }
+}
+
+impl Outcome {
+    /// Every number with its address.
+    pub fn findings(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        for point in self.families.iter().flat_map(|measured| &measured.points) {
+            for quantity in Quantity::ALL {
+                findings.push(Finding {
+                    scene: self.scene.name.clone(),
+                    engine: point.level.column.label(),
+                    metric: quantity.id(),
+                    subject: String::new(),
+                    value: point.error(quantity),
+                    unit: quantity.unit(),
+                });
+            }
+        }
+        findings
+    }
+}

@@ -1,0 +1,90 @@
+//! The document of a study of cost: what the terminal shows, and the whole page.
+
+use super::{Outcome, figures, tables, words};
+use crate::finding::{Block, Document};
+use crate::study::compare::{describe_scene, describe_span};
+
+/// What the terminal shows.
+pub fn summary(outcome: &Outcome) -> Document {
+    let mut blocks = opening(outcome);
+    blocks.push(Block::Table(tables::cheapest_in_short(outcome)));
+    blocks.extend(tables::rankings(outcome).into_iter().map(Block::Table));
+    blocks.push(Block::Table(tables::families(outcome)));
+    blocks.extend(tables::fronts(outcome).map(Block::Table));
+    document(outcome, blocks)
+}
+
+/// The whole page: also the pictures and every setting.
+pub fn page(outcome: &Outcome) -> Document {
+    let mut blocks = vec![Block::Text(outcome.scene.description.clone())];
+    blocks.extend(opening(outcome));
+    blocks.extend(figures::main(outcome).map(Block::Figure));
+    blocks.push(Block::Table(tables::cheapest(outcome)));
+    blocks.extend(tables::rankings(outcome).into_iter().map(Block::Table));
+    blocks.push(Block::Table(tables::families(outcome)));
+    blocks.extend(tables::causes(outcome).map(Block::Table));
+    blocks.extend(tables::fronts(outcome).map(Block::Table));
+    blocks.extend(figures::all(outcome).into_iter().skip(1).map(Block::Figure));
+    blocks.push(Block::Table(tables::settings(outcome)));
+    blocks.push(Block::Command(command(outcome)));
+    document(outcome, blocks)
+}
+
+fn document(outcome: &Outcome, blocks: Vec<Block>) -> Document {
+    Document {
+        id: format!("cost-{}", outcome.scene.name),
+        title: format!("{}: what accuracy costs", outcome.scene.name),
+        lead: words::sentence(outcome),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+fn opening(outcome: &Outcome) -> Vec<Block> {
+    let mut blocks = vec![Block::Text(describe_scene(&outcome.scene))];
+    if outcome.cancelled {
+        let points = || {
+            outcome
+                .families
+                .iter()
+                .flat_map(|measured| &measured.points)
+        };
+        let measured = points().filter(|point| !point.errors.is_empty() && point.timed.is_some());
+        blocks.push(Block::Text(format!(
+            "Cancelled: {} of {} settings were both run and timed, and what follows concludes from them.",
+            measured.count(),
+            points().count()
+        )));
+    }
+    if let Some(until) = outcome.certain_until {
+        blocks.push(Block::Text(format!(
+            "The scene is studied up to {}: beyond, the oracle itself cannot be believed (carom horizon {}).",
+            describe_span(until),
+            outcome.scene.name
+        )));
+    }
+    blocks.push(Block::Text(format!(
+        "Oracle: exact with 237 bits. Grid: {}. {} of simulated time a shot.",
+        outcome.grid.id(),
+        describe_span(outcome.simulated)
+    )));
+    blocks
+}
+
+/// The command that prints the same.
+pub fn command(outcome: &Outcome) -> String {
+    let mut command = format!(
+        "carom cost {} --grid {}",
+        outcome.scene.name,
+        outcome.grid.id()
+    );
+    if !outcome.named.is_empty() {
+        let engines: Vec<String> = outcome
+            .named
+            .iter()
+            .map(|column| column.label().replace(' ', ":"))
+            .collect();
+        command += &format!(" --engines {}", engines.join(","));
+    }
+    command
+}
