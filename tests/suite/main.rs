@@ -6,6 +6,7 @@ mod claims;
 mod cli;
 mod compare;
 mod contract;
+mod cost;
 mod effects;
 mod ensemble;
 mod exact;

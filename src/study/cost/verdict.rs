@@ -216,6 +216,7 @@ pub fn in_order(point: &Point) -> bool {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::{fit, power, settled};
 
@@ -224,7 +225,7 @@ mod tests {
     #[test]
     fn a_power_law_has_its_order_and_no_spread() {
         let errors = STEPS.map(|h| 7.0 * h * h);
-        let (law, spread) = power(&STEPS, &errors).expect("a fit");
+        let (law, spread) = power(&STEPS, &errors).unwrap();
         assert!((law.slope - 2.0).abs() < 1e-12 && spread < 1e-7);
     }
 
@@ -232,7 +233,7 @@ mod tests {
     fn levels_too_coarse_for_the_law_are_left_out_of_it() {
         let mut errors = STEPS.map(|h| 5.0 * h);
         (errors[0], errors[1]) = (20.0, 20.0);
-        let fit = fit(&STEPS, &errors, 0).expect("a fit");
+        let fit = fit(&STEPS, &errors, 0).unwrap();
         assert_eq!((fit.from, fit.sizes), (2, 4));
         assert!((fit.order - 1.0).abs() < 1e-12);
     }

@@ -2,7 +2,7 @@
 
 use super::{BOTH, cut_shot, final_velocity, rack};
 use crate::support::{G, MU, R, run, scenario};
-use carom::engine::{self, About, Engine, Knob, Limits, Refusal, Role, Run, Setting};
+use carom::engine::{self, About, Engine, Knob, Limits, Pace, Refusal, Role, Run, Setting};
 use carom::math::Vec3;
 use carom::physics::invariants::Invariant;
 use carom::scene::Scene;
@@ -226,6 +226,10 @@ impl Engine for Tampering {
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         Vec::new()
     }
+    fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
+        self.real.pace(scene, setting)
+    }
+
     fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
         Vec::new()
     }
