@@ -2,6 +2,8 @@
 //! each scene's answer is.
 
 mod answers;
+mod contacts;
+mod motions;
 mod symmetry;
 
 use crate::support::run;
