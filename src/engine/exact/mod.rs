@@ -244,7 +244,7 @@ impl Engine for Exact {
         })
     }
 
-    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn remedies(&self, _scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
         match setting.read::<Settings>() {
             Ok(Settings {
                 precision: Precision::F32,

@@ -230,7 +230,7 @@ impl Engine for Tampering {
         self.real.pace(scene, setting)
     }
 
-    fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn remedies(&self, _scene: &Scene, _setting: &Setting) -> Vec<(&'static str, Setting)> {
         Vec::new()
     }
     fn prepare<'a>(&self, _: &'a Scene, setting: &Setting) -> Result<Box<dyn Run + 'a>, Refusal> {
