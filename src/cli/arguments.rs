@@ -3,7 +3,7 @@
 use super::Failure;
 use super::scene::SceneCommand;
 use crate::engine::exact::Precision;
-use crate::engine::{self, ENGINES, Limits, Setting};
+use crate::engine::{ENGINES, Limits};
 use crate::report::FORMATS;
 use crate::study::Column;
 use crate::study::cost::Grid;
@@ -49,6 +49,11 @@ pub enum Command {
     ///
     /// Runs the scene without each of its effects, with each alone on the bare model, and along the scenes that `richer` links with it.
     Effects(EffectsArguments),
+    /// Run random scenes that look for trouble, or read mutated inputs, and check what must hold of every one of them.
+    ///
+    /// Without --scenes and --inputs: ten thousand scenes. Exits with 1 if something is broken, and says which scene or input
+    /// shows it.
+    Fuzz(FuzzArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -225,6 +230,42 @@ pub struct EffectsArguments {
     pub format: String,
 }
 
+/// Arguments of `carom fuzz`.
+#[derive(Debug, Args)]
+pub struct FuzzArguments {
+    /// Number of random scenes.
+    #[arg(long, value_name = "N", conflicts_with = "inputs")]
+    pub scenes: Option<u64>,
+    /// Read so many mutated scene files, trace files, engine lists and arguments of generated scenes instead.
+    #[arg(long, value_name = "N")]
+    pub inputs: Option<u64>,
+    /// Index of the first scene or input.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub first: u64,
+    /// Seed; a scene or input depends on the seed and its index alone.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Engines with optional settings, as in `carom compare`; what a setting leaves open is what the scene's `try` says.
+    #[arg(
+        long,
+        value_name = "LIST",
+        default_value = "exact,stepper:contact=approaching-only"
+    )]
+    pub engines: String,
+    /// Most events of a run of an event-driven engine.
+    #[arg(long, value_name = "N", default_value_t = super::fuzz::MAX_EVENTS)]
+    pub max_events: u64,
+    /// Print the scene with this index and run nothing.
+    #[arg(long, value_name = "INDEX")]
+    pub show: Option<u64>,
+    /// Folder for the files of the scenes or inputs that break something.
+    #[arg(long, value_name = "DIR")]
+    pub save: Option<PathBuf>,
+    /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
 /// Where a report goes unless told otherwise.
 const DEFAULT_FOLDER: &str = "carom-report";
 
@@ -258,24 +299,5 @@ fn engine_ids() -> PossibleValuesParser {
 
 /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
 pub fn parse_engines(list: &str) -> Result<Vec<Column>, Failure> {
-    let mut columns: Vec<Column> = Vec::new();
-    for item in list.split(',').map(str::trim) {
-        let mut parts = item.split(':');
-        let id = parts.next().unwrap_or_default();
-        let Some(engine) = engine::find(id) else {
-            let known: Vec<&str> = ENGINES.iter().map(|engine| engine.id()).collect();
-            return Err(Failure::Message(format!(
-                "no engine is called `{id}`; there are {}",
-                known.join(", ")
-            )));
-        };
-        let setting = Setting::parse(parts)
-            .map_err(|refusal| Failure::Message(format!("{item}: {refusal}")))?;
-        let column = Column { engine, setting };
-        if columns.iter().any(|known| known.label() == column.label()) {
-            return Err(Failure::Message(format!("`{item}` is listed twice")));
-        }
-        columns.push(column);
-    }
-    Ok(columns)
+    Column::list(list).map_err(Failure::Message)
 }

@@ -8,6 +8,7 @@ mod cost;
 mod effects;
 mod engines;
 mod ensemble;
+mod fuzz;
 mod horizon;
 mod output;
 mod report;
@@ -105,6 +106,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
+        Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

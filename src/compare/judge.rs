@@ -19,51 +19,83 @@ pub const OVERLAP_BY_PARRY: Metric = Metric {
     }),
 };
 
+/// An overlap of two balls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// The balls, indices in scene order.
+    pub balls: (usize, usize),
+    /// s.
+    pub time: f64,
+    /// Length.
+    pub depth: f64,
+}
+
 /// The deepest overlap of two balls at any knot of the trace, length, computed by parry; 0 without one.
 ///
 /// Balls pass through each other where the scene names no contact: nothing is judged there.
 pub fn deepest_overlap(scene: &Scene, trace: &Trace) -> f64 {
-    if scene.effects.contact.is_none() {
-        return 0.0;
-    }
+    worst_overlap(scene, trace, &|_, _| 1.0).map_or(0.0, |worst| worst.depth)
+}
+
+/// The overlap of two balls at any knot of the trace, computed by parry, that is the deepest in units of `allowed`, a length for
+/// each pair; `None` without one.
+///
+/// Balls pass through each other where the scene names no contact: nothing is judged there.
+pub fn worst_overlap(
+    scene: &Scene,
+    trace: &Trace,
+    allowed: &dyn Fn(usize, usize) -> f64,
+) -> Option<Overlap> {
+    scene.effects.contact?;
     let shapes: Vec<Ball> = scene
         .balls
         .iter()
         .map(|ball| Ball::new(ball.radius))
         .collect();
-    let mut times: Vec<f64> = trace
-        .paths
-        .iter()
-        .flat_map(|path| path.knots.iter().map(|knot| knot.time))
+    let knots = |ball: usize| &trace.paths[ball].knots;
+    let mut times: Vec<f64> = (0..shapes.len())
+        .flat_map(|ball| knots(ball).iter().map(|knot| knot.time))
         .collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let mut deepest = 0.0;
-    for t in times {
-        let states: Vec<Option<State>> = (0..trace.paths.len())
-            .map(|ball| trace.in_play_at(ball, t))
+    // where a ball left play, others may follow
+    let left: Vec<f64> = (0..shapes.len())
+        .map(|ball| match (trace.pocketed(ball), knots(ball).last()) {
+            (true, Some(last)) => last.time,
+            _ => f64::INFINITY,
+        })
+        .collect();
+    let (mut worst, mut share) = (None, 0.0);
+    for time in times {
+        let states: Vec<Option<State>> = (0..shapes.len())
+            .map(|ball| {
+                let state = || trace.paths[ball].state_at(time);
+                if time >= left[ball] { None } else { state() }
+            })
             .collect();
-        deepest = worse(deepest, overlap_at(&shapes, &states));
-    }
-    deepest
-}
-
-fn overlap_at(shapes: &[Ball], states: &[Option<State>]) -> f64 {
-    let mut deepest = 0.0;
-    for i in 0..states.len() {
-        for j in i + 1..states.len() {
-            let Some((a, b)) = states[i].zip(states[j]) else {
-                continue;
-            };
-            let apart = b.position - a.position;
-            let reach = shapes[i].radius + shapes[j].radius;
-            // parry is asked only about pairs that can overlap at all
-            if apart.x.abs() < reach && apart.y.abs() < reach {
-                deepest = worse(deepest, penetration(&a, &shapes[i], &b, &shapes[j]));
+        for (balls, depth) in overlaps_at(&shapes, &states) {
+            let part = depth / allowed(balls.0, balls.1);
+            if worse(part, share).to_bits() != share.to_bits() {
+                (worst, share) = (Some(Overlap { balls, time, depth }), part);
             }
         }
     }
-    deepest
+    worst
+}
+
+fn overlaps_at(
+    shapes: &[Ball],
+    states: &[Option<State>],
+) -> impl Iterator<Item = ((usize, usize), f64)> {
+    let pairs = (0..states.len()).flat_map(move |i| (i + 1..states.len()).map(move |j| (i, j)));
+    pairs.filter_map(|(i, j)| {
+        let (a, b) = states[i].zip(states[j])?;
+        let apart = b.position - a.position;
+        let reach = shapes[i].radius + shapes[j].radius;
+        // parry is asked only about pairs that can overlap at all
+        let near = apart.x.abs() < reach && apart.y.abs() < reach;
+        near.then(|| ((i, j), penetration(&a, &shapes[i], &b, &shapes[j])))
+    })
 }
 
 fn penetration(a: &State, first: &Ball, b: &State, second: &Ball) -> f64 {

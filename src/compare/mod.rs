@@ -11,12 +11,14 @@ mod judge;
 mod order;
 mod sanity;
 mod stop_time;
+mod sweep;
 
 pub use alignment::{Order, Parting, align};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
 pub use divergence::{Divergence, divergence};
-pub use judge::deepest_overlap;
+pub use judge::{Overlap, deepest_overlap, worst_overlap};
 pub use stop_time::stop_times;
+pub use sweep::{Sweep, first_overlap, outside, sweep};
 
 use crate::finding::Finding;
 use crate::scene::Scene;

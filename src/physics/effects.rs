@@ -214,8 +214,8 @@ pub enum Cushion<T = f64> {
         /// Coefficient of friction between ball and cloth, from 0 to 0.5; published is 0.212.
         #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
         mu_cloth: T,
-        /// Height of the nose above the cloth, in radii of the ball that meets it, greater than 0 and less than 2; published is 1.4 for snooker.
-        #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 2))]
+        /// Height of the nose above the cloth, in radii of the ball that meets it, from 0.1 to 1.9: nearer to the cloth or to the top the ball slips past it; published is 1.4 for snooker.
+        #[schemars(extend("minimum" = 0.1, "maximum" = 1.9))]
         height: T,
     },
 }

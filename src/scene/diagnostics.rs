@@ -4,6 +4,7 @@
 //! room knows text and positions only, no scene.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 use thiserror::Error;
@@ -152,7 +153,7 @@ impl Diagnostics {
             .also
             .iter()
             .map(|(span, label)| mark(span, AnnotationKind::Context, label));
-        let snippet = Snippet::source(self.text.as_str())
+        let snippet = Snippet::source(without_commands(&self.text))
             .path(printable(&self.file))
             .annotation(primary)
             .annotations(others);
@@ -198,6 +199,17 @@ pub fn printable(text: &str) -> String {
         }
     }
     out
+}
+
+/// `text` with the control characters beyond ASCII replaced by signs of the same length, so that no mark moves. The renderer
+/// shows those of ASCII by their pictures, and passes these on; a terminal may take them for the start of a command.
+fn without_commands(text: &str) -> Cow<'_, str> {
+    let commands = |c: char| c.is_control() && !c.is_ascii();
+    if text.contains(commands) {
+        Cow::Owned(text.replace(commands, "\u{b7}"))
+    } else {
+        Cow::Borrowed(text)
+    }
 }
 
 /// A number with at most six significant digits, as a person would write it.

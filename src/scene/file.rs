@@ -7,12 +7,12 @@
 use super::Simultaneous;
 use crate::physics::Effects;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// A billiards scene for carom: balls on a table, what sets them in motion, and the effects that act on them.
 ///
 /// Numbers are in any consistent units; x runs across the table, y along it, z up.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "carom scene")]
 pub struct SceneFile {
@@ -62,8 +62,17 @@ pub struct SceneFile {
     pub r#try: Vec<String>,
 }
 
+impl SceneFile {
+    /// The text of the file: what parses to the same scene.
+    ///
+    /// Errors: none is known; what a file cannot hold has no place in these types.
+    pub fn text(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(self)
+    }
+}
+
 /// A set of scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SetName {
     /// In the default report.
@@ -89,7 +98,7 @@ impl SetName {
 }
 
 /// Names of the units, and their size where a law needs it.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UnitsFile {
     /// Name of the length unit; `length = "m"`.
@@ -107,7 +116,7 @@ pub struct UnitsFile {
 }
 
 /// Edges of the playing surface.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableFile {
     /// Extent along x, length, greater than 0; a pool table has 1.27 m between the cushions.
@@ -122,7 +131,7 @@ pub struct TableFile {
 }
 
 /// What every ball is, unless it says otherwise.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallDefaults {
     /// Radius, length, greater than 0; a pool ball has 0.028575 m.
@@ -134,7 +143,7 @@ pub struct BallDefaults {
 }
 
 /// One ball.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallFile {
     /// Name of the ball, unique in the scene; `id = "cue"`.
@@ -156,7 +165,7 @@ pub struct BallFile {
 }
 
 /// A triangle of balls, row by row from the apex, x ascending; rows are (2 R + gap) sqrt(3)/2 apart.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RackFile {
     /// Centre of ball "1", the one with the smallest y, length; `apex = [x, y]`.
@@ -176,7 +185,7 @@ pub struct RackFile {
 }
 
 /// How one ball is set in motion; one at most.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ShotFile {
     /// A force that acts for a time: v = force * `contact_time` / mass.

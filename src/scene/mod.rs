@@ -4,6 +4,7 @@
 //! played, so that an engine has nothing left to interpret. [`parse`] is the way from one to the other, and [`catalogue`]
 //! holds the scenes that come with the program. No path is touched here.
 
+pub mod adversarial;
 pub mod catalogue;
 mod check;
 mod diagnostics;
@@ -25,7 +26,11 @@ pub use names::is_kebab_case;
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
 
 use located::Located;
+use std::sync::LazyLock;
 use toml::de::{DeTable, Error};
+
+/// The schema that files are held against: a constant that takes longer to make than a scene to read.
+static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
 
 /// Reads a scene from the text of a file. `file_name` is for messages only.
 ///
@@ -42,13 +47,22 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     let located = Located {
         root: root.into_inner(),
     };
-    let problems = check::check(&located, &schema());
+    let problems = check::check(&located, &SCHEMA);
     if !problems.is_empty() {
         return Err(invalid(problems));
     }
     // the walk above has seen every key and type; this cannot fail unless the schema and the types disagree
     let file: SceneFile = toml::from_str(text).map_err(|error| invalid(vec![syntax(&error)]))?;
     resolve::resolve(file, &located).map_err(invalid)
+}
+
+/// The text of a scene file as carom would write it: comments and layout are lost, the scene is the same.
+///
+/// `None` if `text` is not a scene file.
+pub fn rewritten(text: &str) -> Option<String> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let file: SceneFile = toml::from_str(text).ok()?;
+    file.text().ok()
 }
 
 /// Reads a scene from the bytes of a file, which must be UTF-8.

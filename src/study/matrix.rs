@@ -1,12 +1,13 @@
 //! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
-use crate::engine::{self, Engine, Limits, Parameter, Refusal, Setting};
+use crate::engine::{self, ENGINES, Engine, Limits, Parameter, Refusal, Setting};
 use crate::math::statistics::Distribution;
-use crate::scene::Scene;
+use crate::scene::{Scene, printable};
 use crate::trace::{Ending, Record, Trace};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -26,6 +27,47 @@ impl Column {
             engine,
             setting: Setting::default(),
         }
+    }
+
+    /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`. Errors: what is wrong and what would be right, in one sentence.
+    pub fn list(list: &str) -> Result<Vec<Column>, String> {
+        let mut columns: Vec<Column> = Vec::new();
+        for item in list.split(',').map(str::trim) {
+            let mut parts = item.split(':');
+            let id = parts.next().unwrap_or_default();
+            let Some(engine) = engine::find(id) else {
+                let known: Vec<&str> = ENGINES.iter().map(|engine| engine.id()).collect();
+                return Err(format!(
+                    "no engine is called `{}`; there are {}",
+                    printable(id),
+                    known.join(", ")
+                ));
+            };
+            let setting = Setting::parse(parts)
+                .map_err(|refusal| format!("{}: {refusal}", printable(item)))?;
+            let column = Column { engine, setting };
+            if columns.iter().any(|known| known.label() == column.label()) {
+                return Err(format!("`{}` is listed twice", printable(item)));
+            }
+            columns.push(column);
+        }
+        Ok(columns)
+    }
+
+    /// The column with what the scene's `try` asks of its engine, such as `stepper dt=0.1`; the column's own setting goes first.
+    pub fn as_tried(&self, scene: &Scene) -> Self {
+        let mut column = self.clone();
+        for asked in &scene.try_settings {
+            let mut words = asked.split_whitespace();
+            if words.next() != Some(self.engine.id()) {
+                continue;
+            }
+            for (key, value) in words.filter_map(|word| word.split_once('=')) {
+                let own = column.setting.values.entry(key.to_owned());
+                own.or_insert_with(|| value.to_owned());
+            }
+        }
+        column
     }
 
     /// Name of engine and setting: `stepper contact=approaching-only`.
@@ -268,6 +310,42 @@ pub fn run_samples<T: Send>(
         Some(reduce(trace))
     };
     (0..cells).into_par_iter().map(run).collect()
+}
+
+/// Items that one call of a block does: few enough that a block is done soon after the user asks to stop.
+const BLOCK: u64 = 64;
+
+/// Does `items` things in blocks, in parallel. `block` does those with the indices that it is given, fewer once
+/// [`Watch::is_cancelled`]; what it answers stands in order, the same for any number of threads.
+pub fn run_blocks<T: Send>(
+    items: u64,
+    what: &str,
+    watch: Watch<'_>,
+    block: impl Fn(Range<u64>) -> T + Sync,
+) -> Vec<T> {
+    let blocks = items.div_ceil(BLOCK);
+    let (done, often) = (AtomicUsize::new(0), (blocks as usize).div_ceil(TOLD).max(1));
+    let run = |number: u64| {
+        let answer = block(number * BLOCK..items.min((number + 1) * BLOCK));
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        if count.is_multiple_of(often) || count as u64 == blocks {
+            let so_far = items.min(count as u64 * BLOCK);
+            (watch.progress)(so_far as usize, items as usize, what);
+        }
+        answer
+    };
+    (0..blocks).into_par_iter().map(run).collect()
+}
+
+/// Runs one scene in one column within a number of events, untimed.
+pub fn run_one(
+    scene: &Scene,
+    column: &Column,
+    record: Record,
+    limits: &Limits<'_>,
+) -> Result<Trace, Refusal> {
+    let run = engine::prepare(column.engine, scene, &column.setting)?;
+    Ok(run.simulate(record, limits))
 }
 
 /// Runs one scene in one column.

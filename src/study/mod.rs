@@ -8,6 +8,8 @@ pub mod effects;
 pub mod ensemble;
 pub mod horizon;
 pub mod matrix;
+pub mod mutation;
+pub mod random;
 pub mod validation;
 
 pub use matrix::{Cell, Column, Ran, Timing, Watch};

@@ -198,3 +198,32 @@ fn a_ball_frozen_to_a_cushion_and_a_neighbour_keeps_energy_when_driven_into_both
         Some(time)
     );
 }
+
+#[test]
+fn a_light_ball_pressed_between_heavy_ones_sends_them_back_with_their_own_speed() {
+    // by symmetry it stays where it is, and energy is kept; along a direction in which normals are rounded
+    let (sin, cos) = 1.3_f64.sin_cos();
+    for ratio in [1.0, 1e2, 1e4, 1e6, 1e9] {
+        let (x, y) = (2.0 * R * cos, 2.0 * R * sin);
+        let (vx, vy) = (3.0 * cos, 3.0 * sin);
+        let balls = scenario("pressed")
+            .resting("light", [0.0, 0.0])
+            .with_mass(1.0 / ratio)
+            .moving("left", [-x, -y], [vx, vy])
+            .with_mass(1.0)
+            .moving("right", [x, y], [-vx, -vy])
+            .with_mass(1.0)
+            .duration(1.0);
+        let (scene, trace) = reflected(balls.build());
+        assert_eq!(trace.ending, Ending::Duration, "ratio {ratio:e}");
+        let (time, velocities) = after_the_first_impact(&trace);
+        for (ball, sign) in [(1, -1.0), (2, 1.0)] {
+            let want = Vec3::new(sign * vx, sign * vy, 0.0);
+            let error = (velocities[ball] - want).norm();
+            // the directions of the two normals differ by an ulp or so, which a light ball between them turns into as much
+            assert!(error <= 3.0 * ROUNDING, "ratio {ratio:e}: {error:e}");
+        }
+        let gained = energy_after(&scene, &trace, time, false) / scene.initial_energy() - 1.0;
+        assert!(gained.abs() <= ROUNDING, "ratio {ratio:e}: {gained:e}");
+    }
+}

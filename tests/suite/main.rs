@@ -24,6 +24,8 @@ mod missed_collisions;
 mod perturb;
 mod precision;
 mod random;
+mod random_inputs;
+mod random_scenes;
 mod rapier;
 mod references;
 mod registries;

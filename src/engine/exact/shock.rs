@@ -4,12 +4,16 @@
 //! the rows of one instant the balls have the velocities that the impulses so far give them; what conserves energy is the
 //! instant as a whole, so that is what is booked.
 
+use super::doubt::Doubt;
 use super::impact::{Party, finite};
 use super::reflections::Shock;
 use super::simultaneous::{Cluster, Touch};
 use super::solve::Loop;
 use crate::math::Real;
 use crate::trace::Ending;
+
+/// A gap larger than this part of the smallest radius is none that a convention about touching balls can close.
+const FARTHEST: f64 = 1e-6;
 
 impl<T: Real> Loop<'_, T> {
     /// Resolves the cluster around `seeds`, all of whose balls are on the near side of the instant; `window`: what its time
@@ -18,6 +22,13 @@ impl<T: Real> Loop<'_, T> {
     pub fn shock(&mut self, seeds: &[usize], window: T) -> Option<Ending> {
         let state = |ball: usize| self.solver.flights[ball].at(self.now);
         let cluster = self.cluster(seeds, &state, window, false);
+        if self.reaches_out(&cluster) {
+            let doubt = Doubt {
+                balls: cluster.balls,
+                happened: false,
+            };
+            return self.indeterminate(doubt, |_| {});
+        }
         let found = cluster.reflect();
         let rows = found
             .as_ref()
@@ -50,6 +61,28 @@ impl<T: Real> Loop<'_, T> {
         self.depart(&changed);
         self.write_down(&parties, &rows);
         None
+    }
+
+    /// Whether a contact of the cluster is one only because the time of the instant is uncertain: an impact that is slow beside
+    /// other balls happens at any time within which they may get somewhere else. The convention is about balls that touch.
+    fn reaches_out(&self, cluster: &Cluster<'_, T>) -> bool {
+        let world = &self.solver.world;
+        let smallest = world.radius.iter().copied().reduce(T::at_most);
+        let farthest = smallest.map_or(T::zero(), |radius| radius * T::lift(FARTHEST));
+        cluster.touches.iter().any(|touch| {
+            let gap = match *touch {
+                Touch::Pair(a, b, _) => {
+                    let (a, b) = (cluster.balls[a], cluster.balls[b]);
+                    let ([x, y], [u, v]) = (self.place(a), self.place(b));
+                    ((u - x) * (u - x) + (v - y) * (v - y)).sqrt() - world.distance(a, b)
+                }
+                Touch::Cushion(a, side) => {
+                    let a = cluster.balls[a];
+                    (world.reach[a][side as usize] - self.place(a)[side.axis()]).abs()
+                }
+            };
+            gap > farthest
+        })
     }
 
     fn write_down(&mut self, parties: &[Party<T>], rows: &[Row<T>]) {

@@ -166,6 +166,10 @@ impl<T: Real> Rotation<T> {
             if gone < flight.end {
                 flight.end = gone;
                 spin.turn = Turn::Unspun;
+                // the end of a free flight is taken for that of its speed
+                if flight.phase == Phase::Free {
+                    flight.phase = Phase::Curve;
+                }
             }
         }
         (flight, spin)

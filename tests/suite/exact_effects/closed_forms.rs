@@ -226,3 +226,37 @@ fn a_pocketed_ball_leaves_play_where_its_centre_enters_the_circle() {
         assert!((last.x.hypot(last.y) - 0.1).abs() < 1e-14, "{last:?}");
     }
 }
+
+#[test]
+fn a_spin_that_ends_on_a_cloth_without_sliding_friction_leaves_the_speed_and_what_it_meets() {
+    // nothing acts on the centre of a ball that slips, so it meets the other after gap / v, whenever its spin ends
+    let (v, gap) = (1.5, 0.4);
+    let cloth = "[effects.cloth.rotational]\nmu_slide = 0.0\nmu_roll = 0.01\nmu_spin = 0.05\n";
+    let mut ended = 0;
+    for (vertical, other_vertical) in [(5.0, 0.0), (50.0, 0.0), (0.0, 5.0), (0.0, 50.0), (7.0, 9.0)]
+    {
+        for (speed, other_speed) in [(v, 0.0), (0.0, -v), (0.6 * v, -0.4 * v)] {
+            let object = [0.0, 2.0 * R + gap];
+            let balls = [
+                ("cue", [0.0, 0.0], [0.0, speed], [9.0, 0.0, vertical]),
+                ("1", object, [0.0, other_speed], [-9.0, 0.0, other_vertical]),
+            ];
+            let effects = format!("{cloth}[effects.contact.elastic]\n");
+            let trace = exact(&scene("", &balls, &effects));
+            let hit = trace
+                .events
+                .iter()
+                .find(|e| e.kind == EventKind::BallBall(0, 1));
+            let time = hit.map_or(f64::NAN, |hit| hit.time);
+            assert!(
+                (time - gap / v).abs() <= 1e-12,
+                "spins {vertical} and {other_vertical}, speeds {speed} and {other_speed}: met at {time}"
+            );
+            let before = trace.events.iter().take_while(|e| e.time < gap / v);
+            ended += before
+                .filter(|e| matches!(e.kind, EventKind::SpinEnd(_)))
+                .count();
+        }
+    }
+    assert!(ended > 0, "no spin ended on the way");
+}

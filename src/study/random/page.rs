@@ -1,0 +1,160 @@
+//! The document of random scenes.
+
+use super::{Entry, MOST_ENERGY, Outcome, SWEPT, Worst};
+use crate::finding::{Block, Cell, Column, Document, Table, Tone};
+
+/// Faults that are shown; the rest is counted.
+const SHOWN: usize = 40;
+
+/// What the terminal shows.
+pub fn summary(outcome: &Outcome) -> Document {
+    let plan = &outcome.plan;
+    let mut blocks = Vec::new();
+    if outcome.done < plan.scenes && outcome.faults == 0 {
+        blocks.push(Block::Text(format!(
+            "Cancelled: {} of {} scenes were run.",
+            outcome.done, plan.scenes
+        )));
+    }
+    blocks.push(Block::Table(engines(outcome)));
+    blocks.push(Block::Table(endings(outcome)));
+    if outcome.faults > 0 {
+        blocks.push(Block::Table(faults(outcome)));
+    }
+    blocks.push(Block::List(vec![
+        format!(
+            "Scenes {} to {} of seed {}; `carom fuzz --seed {} --show N` prints scene N.",
+            plan.first,
+            plan.first + plan.scenes.saturating_sub(1),
+            plan.seed,
+            plan.seed
+        ),
+        format!(
+            "Held: numbers are finite; energy never more than {MOST_ENERGY:e} above its start; nobody outside or overlapping by more \
+             than rounding, or in a stepped engine than its step explains; no panic. Parry measures every overlap at every knot; \
+             of every {SWEPT}th scene it sweeps the paths of engines that solve for their events."
+        ),
+    ]));
+    Document {
+        id: "random-scenes".to_owned(),
+        title: "Random scenes".to_owned(),
+        lead: headline(outcome),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+fn headline(outcome: &Outcome) -> String {
+    let labels: Vec<String> = outcome.plan.columns.iter().map(|c| c.label()).collect();
+    let who = labels.join(" and ");
+    match outcome.faults {
+        0 => format!(
+            "{who} held in {} of {} random scenes.",
+            outcome.done, outcome.done
+        ),
+        n => format!("{n} faults in {} random scenes of {who}.", outcome.done),
+    }
+}
+
+fn engines(outcome: &Outcome) -> Table {
+    let worst = |worst: Worst| {
+        if worst.value > 0.0 {
+            Cell::Owned(worst.value, worst.scene.to_string())
+        } else {
+            Cell::Fixed(0.0, 0)
+        }
+    };
+    let row = |(label, entry): (String, &Entry)| {
+        vec![
+            Cell::text(label),
+            Cell::Count(entry.endings.values().sum()),
+            Cell::Count(entry.events),
+            worst(entry.longest),
+            worst(entry.energy),
+            worst(entry.outside),
+            worst(entry.overlap),
+            Cell::Count(entry.swept),
+            Cell::Count(entry.casts),
+            Cell::Count(entry.given_up),
+        ]
+    };
+    let labels = outcome.plan.columns.iter().map(|column| column.label());
+    Table {
+        id: "engines".to_owned(),
+        title: "What was run, and the worst of it".to_owned(),
+        columns: vec![
+            Column::words("engine", "engine"),
+            Column::number("runs", "runs", ""),
+            Column::number("events", "events", ""),
+            Column::number("longest", "longest run", "events"),
+            Column::number("energy", "energy gained", "E0"),
+            Column::number("outside", "outside", "bound"),
+            Column::number("overlap", "overlap", "bound"),
+            Column::number("swept", "swept", "scenes"),
+            Column::number("casts", "casts", ""),
+            Column::number("given-up", "given up", "pairs"),
+        ],
+        rows: labels.zip(&outcome.entries).map(row).collect(),
+        note: "In brackets: the scene.".to_owned(),
+    }
+}
+
+fn endings(outcome: &Outcome) -> Table {
+    let mut ids: Vec<&'static str> = Vec::new();
+    for id in outcome
+        .entries
+        .iter()
+        .flat_map(|entry| entry.endings.keys())
+    {
+        if !ids.contains(id) {
+            ids.push(id);
+        }
+    }
+    ids.sort_unstable();
+    let mut columns = vec![Column::words("engine", "engine")];
+    columns.extend(ids.iter().map(|id| Column::number(id, id, "")));
+    let row = |(label, entry): (String, &Entry)| {
+        let count = |id: &&'static str| Cell::Count(entry.endings.get(*id).copied().unwrap_or(0));
+        let mut row = vec![Cell::text(label)];
+        row.extend(ids.iter().map(count));
+        row
+    };
+    let labels = outcome.plan.columns.iter().map(|column| column.label());
+    Table {
+        id: "endings".to_owned(),
+        title: "How the runs ended".to_owned(),
+        columns,
+        rows: labels.zip(&outcome.entries).map(row).collect(),
+        note: String::new(),
+    }
+}
+
+fn faults(outcome: &Outcome) -> Table {
+    let shown = outcome.failures.iter().take(SHOWN);
+    let hidden = outcome.faults.saturating_sub(SHOWN as u64);
+    Table {
+        id: "faults".to_owned(),
+        title: "Faults".to_owned(),
+        columns: vec![
+            Column::number("scene", "scene", ""),
+            Column::words("engine", "engine"),
+            Column::words("what", "what"),
+            Column::words("words", "how much, who, when"),
+        ],
+        rows: shown
+            .map(|failure| {
+                vec![
+                    Cell::Count(failure.scene),
+                    Cell::text(&failure.engine),
+                    Cell::verdict(Tone::Bad, failure.fault.what),
+                    Cell::text(&failure.fault.words),
+                ]
+            })
+            .collect(),
+        note: if hidden > 0 {
+            format!("and {hidden} more")
+        } else {
+            String::new()
+        },
+    }
+}
