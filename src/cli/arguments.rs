@@ -42,6 +42,8 @@ pub enum Command {
     ///
     /// Runs the scene without each of its effects, with each alone on the bare model, and along the scenes that `richer` links with it.
     Effects(EffectsArguments),
+    /// Run every hard case on every engine and say what holds, what drifts, what breaks; hold it against what was accepted.
+    Stability(StabilityArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -192,6 +194,25 @@ pub struct EffectsArguments {
     #[arg(long, value_name = "R", default_value_t = 0.1)]
     pub threshold: f64,
     /// Folder for the page with its pictures.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArguments {
+    /// Scenes: catalogue names or files. Without any: the set `hard`.
+    pub scenes: Vec<String>,
+    /// Engines with optional settings, as in `carom compare`. Without it: every engine and preset.
+    #[arg(long, value_name = "LIST")]
+    pub engines: Option<String>,
+    /// Also scenes and steps that take more than their share.
+    #[arg(long)]
+    pub full: bool,
+    /// Folder for the pages of all scenes, with a picture of each run that breaks.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// How to print the summary.

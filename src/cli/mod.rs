@@ -12,6 +12,7 @@ mod output;
 mod report;
 mod run;
 pub mod scene;
+mod stability;
 mod terminal;
 
 use crate::finding::Document;
@@ -103,6 +104,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
+        Some(Command::Stability(arguments)) => stability::stability(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

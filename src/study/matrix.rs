@@ -145,6 +145,72 @@ pub fn run_samples<T: Send>(
     (0..cells).into_par_iter().map(run).collect()
 }
 
+/// A cell that takes several runs, for [`run_tasks`].
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// Work to expect, in any unit: the largest begin first, so that none is left to run alone at the end.
+    pub cost: f64,
+    /// What the person is told when it is done.
+    pub label: String,
+}
+
+/// How a task runs its scenes.
+#[derive(Clone, Copy, Debug)]
+pub struct Runner<'a> {
+    limits: Limits<'a>,
+}
+
+impl Runner<'_> {
+    /// Runs one scene in one column.
+    pub fn run(&self, scene: &Scene, column: &Column, record: Record) -> Cell {
+        run_within(scene, column, record, Timing::None, &self.limits)
+    }
+
+    /// What may end a run early.
+    pub fn limits(&self) -> &Limits<'_> {
+        &self.limits
+    }
+}
+
+/// Runs cells that take several runs each and keeps of each only what `conclude` makes of it.
+///
+/// `max_events`: see [`Limits`]. `conclude`: gets the index of a task, on which alone its answer must depend. Answers one value a task, in
+/// order, the same for any number of threads. `None`: a task that was not run to its end because the user asked to stop.
+pub fn run_tasks<T: Send>(
+    tasks: &[Task],
+    max_events: u64,
+    watch: Watch<'_>,
+    conclude: impl Fn(usize, Runner<'_>) -> T + Sync,
+) -> Vec<Option<T>> {
+    let runner = Runner {
+        limits: Limits {
+            max_events,
+            cancelled: watch.cancelled,
+        },
+    };
+    let mut longest_first: Vec<usize> = (0..tasks.len()).collect();
+    longest_first.sort_by(|&a, &b| tasks[b].cost.total_cmp(&tasks[a].cost));
+    let done = AtomicUsize::new(0);
+    let run = |index: usize| {
+        if watch.is_cancelled() {
+            return (index, None);
+        }
+        let answer = conclude(index, runner);
+        // what was cut short says nothing
+        if watch.is_cancelled() {
+            return (index, None);
+        }
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        (watch.progress)(count, tasks.len(), &tasks[index].label);
+        (index, Some(answer))
+    };
+    // a bridge hands tasks out one by one in this order
+    let mut answers: Vec<(usize, Option<T>)> =
+        longest_first.into_iter().par_bridge().map(run).collect();
+    answers.sort_by_key(|(index, _)| *index);
+    answers.into_iter().map(|(_, answer)| answer).collect()
+}
+
 /// Runs one scene in one column.
 fn run_cell(
     scene: &Scene,
@@ -157,14 +223,24 @@ fn run_cell(
         cancelled,
         ..Limits::NONE
     };
+    run_within(scene, column, record, timing, &limits)
+}
+
+fn run_within(
+    scene: &Scene,
+    column: &Column,
+    record: Record,
+    timing: Timing,
+    limits: &Limits<'_>,
+) -> Cell {
     let run = engine::prepare(column.engine, scene, &column.setting)?;
     let sheet = run.sheet();
     let start = Instant::now();
-    let trace = run.simulate(record, &limits);
+    let trace = run.simulate(record, limits);
     let first = start.elapsed().as_secs_f64();
     let seconds = match timing {
         Timing::None => None,
-        Timing::Alone => Some(shortest_of_several(scene, column, first, &limits)),
+        Timing::Alone => Some(shortest_of_several(scene, column, first, limits)),
     };
     Ok(Ran {
         trace,

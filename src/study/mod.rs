@@ -7,6 +7,7 @@ pub mod effects;
 pub mod ensemble;
 pub mod horizon;
 pub mod matrix;
+pub mod stability;
 pub mod validation;
 
 pub use matrix::{Cell, Column, Ran, Timing, Watch};
