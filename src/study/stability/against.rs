@@ -2,9 +2,10 @@
 
 use super::oracle::Oracle;
 use super::rules::{Evidence, Judgement, Place, short};
-use crate::compare::{Comparison, common_end, largest_distance_at_end};
+use crate::compare::{Comparison, largest_distance_at_end};
 use crate::finding::Verdict;
 use crate::physics::Cloth;
+use crate::scene::Simultaneous;
 use crate::study::compare::{describe_kind, describe_span};
 use crate::trace::{Event, EventKind, Trace};
 
@@ -26,39 +27,47 @@ impl Parting {
 }
 
 /// The first difference beyond ties, within the horizon and the time of both runs.
-fn parting(comparison: &Comparison<'_>, until: f64) -> Option<Parting> {
-    let order = &comparison.order;
-    let agree = order.tolerant;
+fn parting(e: &Evidence<'_>, oracle: &Oracle, comparison: &Comparison<'_>) -> Option<Parting> {
+    let agree = comparison.order.tolerant;
     let end = comparison.common_end();
     let nth = |trace: &Trace| {
-        trace
-            .collisions()
-            .filter(|e| e.time <= end)
-            .nth(agree)
-            .copied()
+        let within = trace.collisions().filter(|e| e.time <= end);
+        within.skip(agree).next().copied()
     };
     let found = Parting {
         agree,
         ours: nth(comparison.trace),
         exact: nth(comparison.reference),
     };
-    (found.time() < until).then_some(found)
+    // what the engine may be late for is no difference where one of the runs has ended
+    let bound = Bound::after(e, oracle, comparison, found.time());
+    let cut_off = match (&found.ours, &found.exact) {
+        (_, Some(exact)) => exact.time + bound.time(exact) >= end,
+        (Some(ours), None) => ours.time + bound.dt >= end,
+        (None, None) => true,
+    };
+    (found.time() < oracle.until && !cut_off).then_some(found)
 }
 
-/// How an engine's error at an event is judged.
+/// What an engine may get wrong about an event, given how far off it is by then.
 struct Bound<'a> {
     evidence: &'a Evidence<'a>,
     oracle: &'a Oracle,
-    /// What a position may be off by, length.
+    /// What a position is off by before the event, length.
     length: f64,
     /// The step, s.
     dt: f64,
 }
 
 impl<'a> Bound<'a> {
-    fn after(evidence: &'a Evidence<'a>, oracle: &'a Oracle, collisions: usize) -> Self {
+    fn after(
+        evidence: &'a Evidence<'a>,
+        oracle: &'a Oracle,
+        comparison: &Comparison<'_>,
+        time: f64,
+    ) -> Self {
         Bound {
-            length: oracle.allowance(evidence.scene, &evidence.allowance, collisions),
+            length: comparison.divergence.largest_before(time),
             dt: evidence.allowance.dt,
             evidence,
             oracle,
@@ -164,22 +173,22 @@ struct Explained {
 fn explain(comparison: &Comparison<'_>, parting: &Parting, bound: &Bound<'_>) -> Explained {
     let trace = comparison.trace;
     let name = |event: &Event| describe_kind(event.kind, trace);
-    let end = comparison.common_end();
-    let known = |wanted: &Event, list: &Trace| -> bool {
-        list.collisions().filter(|e| e.time <= end).any(|e| {
-            // at its place or after it
-            e.kind == wanted.kind && e.time >= wanted.time - bound.time(wanted)
-        })
-    };
-    if let (Some(ours), Some(exact)) = (&parting.ours, &parting.exact)
-        && let Some(margin) = margin(comparison, parting.agree)
-    {
-        let allowed = bound.time(ours) + bound.time(exact);
+    let (ours, exact) = (parting.ours.as_ref(), parting.exact.as_ref());
+    let matched = &comparison.order.matched;
+    let later_in_exact = matched.iter().find(|(i, _)| *i == parting.agree);
+    let later_in_ours = matched.iter().find(|(_, j)| *j == parting.agree);
+    let nth = |trace: &Trace, n: usize| trace.collisions().nth(n).copied();
+    let later = later_in_exact.and_then(|(_, j)| nth(comparison.reference, *j));
+    let margin = later
+        .zip(exact)
+        .map(|(later, exact)| (later.time - exact.time).abs());
+    if let (Some(ours), Some(exact), Some(later), Some(margin)) = (ours, exact, later, margin) {
+        let allowed = bound.time(&later) + bound.time(exact);
         if margin <= allowed {
             return Explained {
                 explained: true,
                 why: format!(
-                    "has {} before {}, {} apart, where its step explains {}",
+                    "has {} before {}, {} apart; step and error make {}",
                     name(ours),
                     name(exact),
                     describe_span(margin),
@@ -189,86 +198,68 @@ fn explain(comparison: &Comparison<'_>, parting: &Parting, bound: &Bound<'_>) ->
             };
         }
     }
-    if let Some(exact) = &parting.exact
-        && !known(exact, trace)
-    {
-        return missed(parting, exact, bound, end, &name(exact));
-    }
-    match (&parting.ours, &parting.exact) {
-        (Some(ours), _) if !known(ours, comparison.reference) => phantom(ours, bound, &name(ours)),
-        (Some(ours), Some(exact)) => Explained {
-            explained: false,
-            why: format!("has {} instead of {}", name(ours), name(exact)),
-            event: Some(*ours),
-        },
+    match (ours, exact) {
+        (None, Some(exact)) => missed(exact, bound, &name(exact)),
+        (Some(ours), None) => phantom(ours, bound, &name(ours)),
+        (Some(ours), Some(exact)) if later_in_ours.is_none() => {
+            // the earlier of the two is what went wrong first
+            let first = ours.time + bound.time(ours) < exact.time && later_in_exact.is_none();
+            if first {
+                phantom(ours, bound, &name(ours))
+            } else {
+                missed(exact, bound, &name(exact))
+            }
+        }
+        (Some(ours), Some(_)) if later_in_exact.is_none() => phantom(ours, bound, &name(ours)),
         (ours, exact) => Explained {
             explained: false,
-            why: "has another number of collisions".to_owned(),
-            event: ours.or(*exact),
+            why: format!(
+                "has {} before {}, {} apart; step and error make less",
+                ours.map_or(String::new(), name),
+                exact.map_or(String::new(), name),
+                margin.map_or(String::new(), describe_span)
+            ),
+            event: ours.or(exact).copied(),
         },
     }
 }
 
-/// Time in the exact run between its event and the one that the engine has instead, s.
-fn margin(comparison: &Comparison<'_>, agree: usize) -> Option<f64> {
-    let theirs: Vec<&Event> = comparison.reference.collisions().collect();
-    let matched = comparison.order.matched.iter();
-    let (_, j) = matched.clone().find(|(i, _)| *i == agree)?;
-    Some((theirs.get(*j)?.time - theirs.get(agree)?.time).abs())
-}
-
-/// A collision that the engine never has.
-fn missed(parting: &Parting, exact: &Event, bound: &Bound<'_>, end: f64, name: &str) -> Explained {
+/// A collision that the engine does not have in its place.
+fn missed(exact: &Event, bound: &Bound<'_>, name: &str) -> Explained {
     let radius = bound.evidence.scene.smallest_radius();
-    let late = bound.time(exact);
-    let explained = |why: String| Explained {
-        explained: true,
-        why,
-        event: Some(*exact),
-    };
-    if exact.time + late >= end {
-        return explained(format!("has no time left for {name}"));
-    }
-    // a different event of the same balls came first, as early as its error allows
-    if let Some(ours) = parting.ours
-        && ours.kind.shares_ball(exact.kind)
-        && ours.time + bound.time(&ours) < exact.time
-    {
-        return phantom(&ours, bound, &describe_kind(ours.kind, &bound.oracle.trace));
-    }
     let (relative, normal) = bound.approach(exact.kind, exact.time);
     let in_a_step = relative * bound.dt;
-    let deep = bound.depth(exact);
-    let why = match deep {
+    let depth = bound.depth(exact);
+    let why = match depth {
         Some(depth) => format!(
-            "never has {name}, {} R deep; it goes {} R in a step",
+            "misses {name}, {} R deep; it goes {} R in a step and is off by {} R",
             short(depth / radius),
-            short(in_a_step / radius)
+            short(in_a_step / radius),
+            short(bound.length / radius)
         ),
-        None => format!("never has {name}, met at {} length/s", short(normal)),
+        None => format!("misses {name}, met at {} length/s", short(normal)),
     };
-    // a graze less deep than a step goes, by an engine that sees what it hits; or one that its own error moves it away from
-    let graze = deep.is_some_and(|depth| {
-        let seen = depth <= in_a_step && in_a_step <= SEEN * radius;
-        seen || depth <= 2.0 * bound.length.min(radius * SEEN)
-    });
+    // an engine that sees what it hits may step over a graze less deep than a step, or be moved away from it by its own error
+    let graze = depth.is_some_and(|depth| depth <= in_a_step || depth <= 2.0 * bound.length);
     Explained {
-        explained: graze,
+        explained: graze && in_a_step <= SEEN * radius,
         why,
         event: Some(*exact),
     }
 }
 
-/// A collision that the exact engine never has.
+/// A collision that the exact engine does not have in its place.
 fn phantom(ours: &Event, bound: &Bound<'_>, name: &str) -> Explained {
     let radius = bound.evidence.scene.smallest_radius();
     let gap = bound.gap(ours).max(0.0);
+    let (relative, _) = bound.approach(ours.kind, ours.time);
+    let off = 2.0 * bound.length + relative * bound.dt;
     Explained {
-        explained: gap <= 2.0 * bound.length.min(radius),
+        explained: gap <= off && off <= radius,
         why: format!(
-            "has {name}, which misses by {} R; it may be off by {} R",
+            "has {name}, which exact misses by {} R; step and error make {} R",
             short(gap / radius),
-            short(bound.length / radius)
+            short(off / radius)
         ),
         event: Some(*ours),
     }
@@ -282,17 +273,21 @@ pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
         let own = e.events && e.trace.provenance.resolution == 0.0;
         return own.then(|| Judgement::holds(oracle.certain.0 as f64));
     };
-    let Some(parting) = parting(comparison, oracle.until) else {
+    let Some(parting) = parting(e, oracle, comparison) else {
         let certain = comparison
             .reference
             .collisions()
             .filter(|event| event.time < oracle.until && event.time <= comparison.common_end())
             .count();
-        return Some(Judgement::holds(certain as f64));
+        return Some(Judgement::holds(
+            certain.min(comparison.order.tolerant) as f64
+        ));
     };
-    let bound = Bound::after(e, oracle, parting.agree);
+    let bound = Bound::after(e, oracle, comparison, parting.time());
     let found = explain(comparison, &parting, &bound);
-    let verdict = if found.explained {
+    // where a convention makes the answer, another convention is no defect
+    let convention = e.scene.simultaneous == Simultaneous::GeneralizedReflections;
+    let verdict = if found.explained || convention {
         Verdict::Drifts
     } else {
         Verdict::Breaks
@@ -318,41 +313,38 @@ pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
 pub fn distance(e: &Evidence<'_>) -> Option<Judgement> {
     let oracle = e.oracle?;
     let radius = e.scene.smallest_radius();
-    let (value, collisions, when) = match &e.comparison {
+    let (length, collisions, place) = match &e.comparison {
         Some(comparison) => {
-            let parted = parting(comparison, oracle.until);
+            let parted = parting(e, oracle, comparison);
             let until = parted.as_ref().map_or(oracle.until, Parting::time);
-            let agree = comparison.order.tolerant;
+            let length = comparison.divergence.largest_before(until);
             (
-                comparison.divergence.largest_before(until) / radius,
-                agree,
-                until,
+                length,
+                comparison.order.tolerant,
+                owner(comparison, until, length),
             )
         }
         // only the ends were kept, which the exact run can speak of where it is whole
         None if !e.events && oracle.is_whole() && oracle.is_complete() => {
             let apart = largest_distance_at_end(e.scene, e.trace, &oracle.trace)?;
-            let all = oracle.trace.collisions().count();
-            (apart, all, common_end(e.trace, &oracle.trace))
+            (apart * radius, oracle.trace.collisions().count(), None)
         }
         None => return None,
     };
-    let bound = (oracle.allowance(e.scene, &e.allowance, collisions) / radius).min(1.0);
-    if value <= bound {
+    let value = length / radius;
+    let explained = oracle.allowance(e.scene, &e.allowance, collisions) / radius;
+    if value <= explained.min(1.0) {
         return Some(Judgement::holds(value));
     }
-    let place = e
-        .comparison
-        .as_ref()
-        .and_then(|c| owner(c, when, value * radius));
     let who = place.as_ref().map_or(String::new(), |p| {
         format!(", ball {} at t = {} s", e.names(&p.balls), short(p.time))
     });
-    let why = format!(
-        "is {} R from exact{who}; its step explains {} R",
-        short(value),
-        short(bound)
-    );
+    let bound = if explained < 1.0 {
+        format!("step and rounding make {} R", short(explained))
+    } else {
+        "more than a radius".to_owned()
+    };
+    let why = format!("is {} R from exact{who}; {bound}", short(value));
     Some(Judgement::of(Verdict::Drifts, value, place, why))
 }
 
@@ -384,7 +376,7 @@ fn owner(comparison: &Comparison<'_>, until: f64, largest: f64) -> Option<Place>
 /// When balls stop, where the orders agree and the exact run can be believed to its end.
 pub fn stop_time(e: &Evidence<'_>) -> Option<Judgement> {
     let (oracle, comparison) = (e.oracle?, e.comparison.as_ref()?);
-    if !oracle.is_whole() || !oracle.is_complete() || parting(comparison, oracle.until).is_some() {
+    if !oracle.is_whole() || !oracle.is_complete() || parting(e, oracle, comparison).is_some() {
         return None;
     }
     let mu = match e.scene.effects.cloth? {

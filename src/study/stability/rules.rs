@@ -86,6 +86,9 @@ impl Judgement {
     }
 }
 
+/// Of more balls only so many are named.
+const NAMED: usize = 3;
+
 /// One rule.
 #[derive(Clone, Copy)]
 pub struct Rule {
@@ -168,7 +171,7 @@ pub const RULES: &[Rule] = &[
         id: "from-exact",
         unit: "R",
         what: "up to the first differing collision and the horizon no ball is farther from the exact engine's than first order explains, \
-               2 v dt (n + 1) G after n collisions, and rounding; and never by more than R",
+               2 v dt (1 + sum of G_k / G_i over the collisions i) after k of them, and rounding; and never by more than R",
         invariant: None,
         counts: false,
         judge: against::distance,
@@ -275,10 +278,14 @@ impl Evidence<'_> {
         self.scene.touching() + 8.0 * self.allowance.ulp * self.scene.largest_coordinate()
     }
 
-    /// Ball ids, `cue-1` for two.
+    /// Ball ids, `cue-1` for two; of many the first ones.
     pub fn names(&self, balls: &[usize]) -> String {
         let name = |&ball: &usize| self.scene.balls.get(ball).map_or("?", |b| b.id.as_str());
-        balls.iter().map(name).collect::<Vec<_>>().join("-")
+        let named: Vec<&str> = balls.iter().take(NAMED).map(name).collect();
+        match balls.len().saturating_sub(NAMED) {
+            0 => named.join("-"),
+            more => format!("{} and {more} more", named.join("-")),
+        }
     }
 }
 
@@ -565,7 +572,7 @@ fn reversal(e: &Evidence<'_>) -> Option<Judgement> {
     let oracle = e.oracle?;
     let known = e.promises(Invariant::TimeReversal) && oracle.is_whole();
     // what the way out left grows on the way back
-    let bound = rounding_grown(e) * oracle.growth;
+    let bound = rounding_grown(e) * oracle.grown();
     if !known {
         return Some(Judgement {
             verdict: None,

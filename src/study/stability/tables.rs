@@ -146,19 +146,11 @@ pub fn scene(outcome: &Outcome, scene: usize) -> Table {
             left += usize::from(case.planned.reach != Reach::Always);
             continue;
         };
-        let (rule, value) = judged
-            .spoken()
-            .map_or((Cell::Empty, Cell::Empty), |(rule, j)| {
-                match judged.verdict {
-                    Verdict::Holds => (Cell::Empty, Cell::Empty),
-                    _ => (Cell::text(rule.id), figure(j.value, rule.unit)),
-                }
-            });
+        let spoken = judged.spoken().filter(|_| judged.verdict != Verdict::Holds);
         rows.push(vec![
             Cell::text(case.planned.column.label()),
             Cell::verdict(tone(judged.verdict), word(judged.verdict)),
-            rule,
-            value,
+            spoken.map_or(Cell::Empty, |(rule, _)| Cell::text(rule.id)),
             Cell::text(judged.why.clone()),
         ]);
     }
@@ -169,7 +161,6 @@ pub fn scene(outcome: &Outcome, scene: usize) -> Table {
             Column::words("engine", "engine"),
             Column::words("verdict", "verdict"),
             Column::words("rule", "rule"),
-            Column::words("figure", "figure"),
             Column::words("why", "why"),
         ],
         rows,
@@ -178,16 +169,6 @@ pub fn scene(outcome: &Outcome, scene: usize) -> Table {
             n => format!("{n} runs are left to --full or out of reach."),
         },
     }
-}
-
-fn figure(value: Option<f64>, unit: &str) -> Cell {
-    value.map_or(Cell::Empty, |value| {
-        Cell::text(
-            format!("{} {unit}", super::rules::short(value))
-                .trim_end()
-                .to_owned(),
-        )
-    })
 }
 
 /// Every figure of one scene: rows are rules, columns the presets and what the scene asks for.
