@@ -13,8 +13,12 @@ use toml::de::{DeString, DeTable, DeValue};
 /// Largest size of a number in a scene. Its square, and that of a speed times a duration, stays far from overflow.
 pub(super) const LARGEST: f64 = 1e30;
 
-/// Smallest size of a number in a scene that is not 0. Its square stays far from underflow.
+/// Smallest size of a number in a scene that is not 0. Its square stays far from underflow. A schema that says
+/// [`ANY_SIZE`] has no such bound: a speed may be what a cosine left over.
 pub(super) const SMALLEST: f64 = 1e-30;
+
+/// Keyword of a schema whose numbers may be as small as f64 holds.
+const ANY_SIZE: &str = "anySize";
 
 /// Everything in which the file at hand departs from `schema`.
 pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
@@ -24,6 +28,14 @@ pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
     };
     walk.table("", schema, &located.root, 0..0);
     walk.problems
+}
+
+/// What a list, or the key itself, says of values that say nothing of their own.
+#[derive(Clone, Debug, Default)]
+struct Around {
+    advice: String,
+    /// Whether they may be smaller than [`SMALLEST`].
+    any_size: bool,
 }
 
 struct Walk<'s> {
@@ -54,15 +66,25 @@ impl<'s> Walk<'s> {
         }
     }
 
-    /// `around`: the advice of the list that the value stands in, for values that have none of their own.
-    fn value(&mut self, path: &str, schema: &'s Value, around: &str, value: &Spanned<DeValue<'_>>) {
+    /// `around`: what the list that the value stands in says of its values.
+    fn value(
+        &mut self,
+        path: &str,
+        schema: &'s Value,
+        around: &Around,
+        value: &Spanned<DeValue<'_>>,
+    ) {
         let target = self.target(schema);
         let own = advice(schema, target);
-        let advice = if own.is_empty() {
-            around.to_owned()
-        } else {
-            own
+        let around = Around {
+            advice: if own.is_empty() {
+                around.advice.clone()
+            } else {
+                own
+            },
+            any_size: around.any_size || schema[ANY_SIZE] == true,
         };
+        let advice = around.advice.as_str();
         let span = value.span();
         if let Some(words) = words(target) {
             return self.word(path, &words, value);
@@ -75,16 +97,16 @@ impl<'s> Walk<'s> {
                 if size.is_some_and(|n| n != items.len() as u64) {
                     let found = items.len();
                     let message = format!("{} must be {}, not {found}", last(path), wanted(target));
-                    self.report(Kind::WrongType, span, message, advice.as_str());
+                    self.report(Kind::WrongType, span, message, advice);
                 }
                 for (i, item) in items.iter().enumerate() {
-                    self.value(&format!("{path}[{i}]"), &target["items"], &advice, item);
+                    self.value(&format!("{path}[{i}]"), &target["items"], &around, item);
                 }
             }
             ("number", DeValue::Float(_) | DeValue::Integer(_)) => {
-                self.number(path, target, &advice, value);
+                self.number(path, target, &around, value);
             }
-            ("integer", DeValue::Integer(_)) => self.number(path, target, &advice, value),
+            ("integer", DeValue::Integer(_)) => self.number(path, target, &around, value),
             ("string", DeValue::String(_)) | ("boolean", DeValue::Boolean(_)) => {}
             (kind, found) => {
                 let fraction = kind == "integer" && matches!(found, DeValue::Float(_));
@@ -99,7 +121,15 @@ impl<'s> Walk<'s> {
         }
     }
 
-    fn number(&mut self, path: &str, schema: &Value, advice: &str, value: &Spanned<DeValue<'_>>) {
+    fn number(
+        &mut self,
+        path: &str,
+        schema: &Value,
+        around: &Around,
+        value: &Spanned<DeValue<'_>>,
+    ) {
+        let advice = around.advice.as_str();
+        let smallest = if around.any_size { 0.0 } else { SMALLEST };
         let must = format!("{} must be {}", last(path), wanted(schema));
         let x = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().unwrap_or(f64::NAN),
@@ -134,11 +164,13 @@ impl<'s> Walk<'s> {
             self.report(Kind::NotFinite, value.span(), must, advice);
         } else if low || high {
             self.report(Kind::OutOfRange, value.span(), must, advice);
-        } else if x != 0.0 && !(SMALLEST..=LARGEST).contains(&x.abs()) {
-            let message = format!(
-                "{} must be 0 or between {SMALLEST:e} and {LARGEST:e} in size",
-                last(path)
-            );
+        } else if x != 0.0 && !(smallest..=LARGEST).contains(&x.abs()) {
+            let least = if around.any_size {
+                format!("at most {LARGEST:e}")
+            } else {
+                format!("0 or between {SMALLEST:e} and {LARGEST:e}")
+            };
+            let message = format!("{} must be {least} in size", last(path));
             let help = "choose units in which the numbers of the scene are nearer to 1";
             self.report(Kind::OutOfRange, value.span(), message, help);
         }
@@ -168,7 +200,7 @@ impl<'s> Walk<'s> {
         for (key, value) in table {
             let inner = join(path, key.get_ref());
             if let Some(property) = known.get(key.get_ref().as_ref()) {
-                self.value(&inner, property, "", value);
+                self.value(&inner, property, &Around::default(), value);
             } else {
                 self.unknown_key(path, (key, value), keys(known));
             }
@@ -198,7 +230,7 @@ impl<'s> Walk<'s> {
             let inner = join(path, key.get_ref());
             let law = variants.iter().find(|(name, _)| name == key.get_ref());
             if let Some((_, schema)) = law {
-                self.value(&inner, schema, "", value);
+                self.value(&inner, schema, &Around::default(), value);
             } else {
                 let known = variants.iter().map(|(name, _)| *name).collect();
                 self.unknown_key(path, (key, value), known);

@@ -142,8 +142,10 @@ pub struct BallFile {
     /// Centre at time 0, length; `position = [x, y]`.
     pub position: [f64; 2],
     /// Velocity of the centre at time 0, length/s, at rest if absent; `velocity = [vx, vy]`.
+    #[schemars(extend("anySize" = true))]
     pub velocity: Option<[f64; 2]>,
     /// Angular velocity at time 0, rad/s, none if absent; `spin = [wx, wy, wz]`.
+    #[schemars(extend("anySize" = true))]
     pub spin: Option<[f64; 3]>,
     /// Radius, length, greater than 0, that of `[ball]` if absent; a pool ball has 0.028575 m.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -196,7 +198,7 @@ pub enum ShotFile {
         /// Id of the ball; `ball = "cue"`.
         ball: String,
         /// Speed, length/s, 0 or greater; a brisk shot has 2 m/s.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("anySize" = true))]
         speed: f64,
         /// Direction, degrees counter-clockwise from +x, -360 to 360; 90 is straight along the table.
         #[schemars(range(min = -360, max = 360))]

@@ -275,7 +275,7 @@ fn rests(ball: &Ball) -> bool {
 /// The ball whose aim and speed can vary: the shot's, else the first that moves.
 fn driven(scene: &Scene) -> Option<usize> {
     let shot = scene.shot.map(|shot| shot.ball());
-    let moves = |i: &usize| scene.balls[*i].state.speed() > 0.0;
+    let moves = |i: &usize| scene.balls[*i].state.velocity != Vec3::zeros();
     shot.filter(moves)
         .or_else(|| (0..scene.balls.len()).find(moves))
 }
