@@ -212,6 +212,15 @@ pub struct StabilityArguments {
     /// Also scenes and steps that take more than their share.
     #[arg(long)]
     pub full: bool,
+    /// Folder of the accepted findings, one CSV file a scene. The default is looked for below the current folder.
+    #[arg(long, value_name = "DIR", default_value = "validation/hard")]
+    pub accepted: PathBuf,
+    /// Accept what is found: write the files of the scenes in which something changed. Refused while a promised invariant is broken.
+    #[arg(long, requires = "reason", conflicts_with = "engines")]
+    pub accept: bool,
+    /// Why it is accepted; written into the files.
+    #[arg(long, value_name = "WHY", requires = "accept")]
+    pub reason: Option<String>,
     /// Folder for the pages of all scenes, with a picture of each run that breaks.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -1,6 +1,6 @@
 //! The only place for arguments, environment, terminal, paths and Ctrl-C.
 //!
-//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 2 it could not run.
+//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 an expectation is not met, 2 it could not run.
 
 mod arguments;
 mod compare;
@@ -20,6 +20,9 @@ use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
 use std::path::Path;
 use std::process::ExitCode;
+
+/// It ran, and what was expected of it is not so.
+const NOT_MET: u8 = 1;
 
 /// It could not run: bad usage, bad scene, a file that cannot be written.
 const COULD_NOT_RUN: u8 = 2;

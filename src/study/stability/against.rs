@@ -12,6 +12,9 @@ use crate::trace::{Event, EventKind, Trace};
 /// Part of a radius that a ball may go in a step if an engine is to see what it hits.
 const SEEN: f64 = 0.5;
 
+/// Points in a step, before and after, at which the gap of a miss is looked at.
+const NEARBY: i32 = 8;
+
 /// Where two orders of collisions differ beyond a tie: the number that agree, and what each has next.
 struct Parting {
     agree: usize,
@@ -55,6 +58,8 @@ struct Bound<'a> {
     oracle: &'a Oracle,
     /// What a position is off by before the event, length.
     length: f64,
+    /// What the times of the collisions so far are off by, s.
+    late: f64,
     /// The step, s.
     dt: f64,
 }
@@ -68,6 +73,7 @@ impl<'a> Bound<'a> {
     ) -> Self {
         Bound {
             length: comparison.divergence.largest_before(time),
+            late: lateness(comparison),
             dt: evidence.allowance.dt,
             evidence,
             oracle,
@@ -105,15 +111,13 @@ impl<'a> Bound<'a> {
         }
     }
 
-    /// By how much an event may come at another time, s: the error of a position over the speed at which the gap closes, and a step.
+    /// By how much an event may come at another time, s: the errors of two positions over the speed at which the gap closes, or what earlier
+    /// ones were off by; and a step.
     fn time(&self, event: &Event) -> f64 {
         let (_, normal) = self.approach(event.kind, event.time);
-        self.dt
-            + if normal > 0.0 {
-                self.length / normal
-            } else {
-                f64::INFINITY
-            }
+        let shift = 2.0 * self.length;
+        let moved = if shift > 0.0 { shift / normal } else { 0.0 };
+        self.dt + moved.max(self.late)
     }
 
     /// How deep the balls of a hit would go into each other if they met nothing, length; `None` for a cushion.
@@ -132,35 +136,48 @@ impl<'a> Bound<'a> {
         Some(distance * cosine * cosine / (1.0 + (1.0 - cosine * cosine).sqrt()))
     }
 
-    /// How far from a hit the exact run is where the engine has one, length.
+    /// How far from a hit the exact run is within a step of where the engine has one, length, >= 0.
     fn gap(&self, event: &Event) -> f64 {
-        let (scene, trace) = (self.evidence.scene, &self.oracle.trace);
-        let at = |ball: usize| {
-            trace
-                .paths
-                .get(ball)
-                .and_then(|path| path.state_at(event.time))
-        };
-        match event.kind {
-            EventKind::BallBall(a, b) => {
-                let (a, b) = (a as usize, b as usize);
-                let apart = at(a)
-                    .zip(at(b))
-                    .map(|(p, q)| (p.position - q.position).norm());
-                apart.map_or(f64::INFINITY, |d| d - scene.contact_distance(a, b))
-            }
-            EventKind::BallCushion(ball, side) => {
-                let ball = ball as usize;
-                let reach = scene.reach(side, scene.balls[ball].radius);
-                let here = at(ball).map(|state| state.position[side.axis()]);
-                let gap = reach
-                    .zip(here)
-                    .map(|(reach, x)| f64::from(side.sign()) * (reach - x));
-                gap.unwrap_or(f64::INFINITY)
-            }
-            _ => f64::INFINITY,
-        }
+        let steps = (-NEARBY..=NEARBY).map(|k| f64::from(k) / f64::from(NEARBY));
+        let times = steps.map(|part| event.time + part * self.dt);
+        let gaps = times
+            .filter(|t| *t >= 0.0)
+            .map(|t| self.gap_at(event.kind, t));
+        gaps.fold(f64::INFINITY, f64::min).max(0.0)
     }
+
+    fn gap_at(&self, kind: EventKind, time: f64) -> f64 {
+        let scene = self.evidence.scene;
+        let paths = &self.oracle.trace.paths;
+        let at = |ball: u32| Some(paths.get(ball as usize)?.state_at(time)?.position);
+        let gap = match kind {
+            EventKind::BallBall(a, b) => at(a)
+                .zip(at(b))
+                .map(|(p, q)| (p - q).norm() - scene.contact_distance(a as usize, b as usize)),
+            EventKind::BallCushion(ball, side) => {
+                let reach = scene.reach(side, scene.balls[ball as usize].radius);
+                let here = at(ball).map(|p| p[side.axis()]);
+                reach
+                    .zip(here)
+                    .map(|(reach, x)| f64::from(side.sign()) * (reach - x))
+            }
+            _ => None,
+        };
+        gap.unwrap_or(f64::INFINITY)
+    }
+}
+
+/// The largest difference of time among the collisions that agree, s.
+fn lateness(comparison: &Comparison<'_>) -> f64 {
+    let times = |trace: &Trace| -> Vec<f64> { trace.collisions().map(|e| e.time).collect() };
+    let (ours, theirs) = (times(comparison.trace), times(comparison.reference));
+    let agreeing = comparison
+        .order
+        .matched
+        .iter()
+        .take(comparison.order.tolerant);
+    let off = agreeing.filter_map(|&(i, j)| Some((ours.get(i)? - theirs.get(j)?).abs()));
+    off.fold(0.0, f64::max)
 }
 
 /// What a difference of two orders is, in words, and whether the step explains it.
@@ -187,13 +204,20 @@ fn explain(comparison: &Comparison<'_>, parting: &Parting, bound: &Bound<'_>) ->
         if margin <= allowed {
             return Explained {
                 explained: true,
-                why: format!(
-                    "has {} before {}, {} apart; step and error make {}",
-                    name(ours),
-                    name(exact),
-                    describe_span(margin),
-                    describe_span(allowed)
-                ),
+                why: match margin {
+                    0.0 => format!(
+                        "has {} before {}, which are at one instant",
+                        name(ours),
+                        name(exact)
+                    ),
+                    _ => format!(
+                        "has {} before {}, {} apart; step and error make {}",
+                        name(ours),
+                        name(exact),
+                        describe_span(margin),
+                        describe_span(allowed)
+                    ),
+                },
                 event: Some(*ours),
             };
         }
@@ -226,9 +250,11 @@ fn explain(comparison: &Comparison<'_>, parting: &Parting, bound: &Bound<'_>) ->
 
 /// A collision that the engine does not have in its place.
 fn missed(exact: &Event, bound: &Bound<'_>, name: &str) -> Explained {
-    let radius = bound.evidence.scene.smallest_radius();
+    let (scene, exact_trace) = (bound.evidence.scene, &bound.oracle.trace);
+    let radius = scene.smallest_radius();
     let (relative, normal) = bound.approach(exact.kind, exact.time);
     let in_a_step = relative * bound.dt;
+    let off = 2.0 * bound.length;
     let depth = bound.depth(exact);
     let why = match depth {
         Some(depth) => format!(
@@ -239,10 +265,21 @@ fn missed(exact: &Event, bound: &Bound<'_>, name: &str) -> Explained {
         ),
         None => format!("misses {name}, met at {} length/s", short(normal)),
     };
-    // an engine that sees what it hits may step over a graze less deep than a step, or be moved away from it by its own error
-    let graze = depth.is_some_and(|depth| depth <= in_a_step || depth <= 2.0 * bound.length);
+    // an engine that sees what it hits may step over a graze less deep than a step, be moved away from it by its own error, or not tell apart
+    // what follows within what it may be late
+    let sees = in_a_step <= SEEN * radius && off <= radius;
+    let graze = depth.is_some_and(|depth| depth <= in_a_step || depth <= off);
+    let late = bound.time(exact);
+    let unresolved = exact_trace.collisions().any(|other| {
+        let other_one = other.time != exact.time || other.kind != exact.kind;
+        let close = (other.time - exact.time).abs() <= late;
+        other_one && close && other.kind.shares_ball(exact.kind)
+    });
+    // nor does it matter whether what goes less far than rounding meets
+    let left = exact_trace.end_time - exact.time;
+    let creeps = relative * left.max(0.0) <= scene.touching();
     Explained {
-        explained: graze && in_a_step <= SEEN * radius,
+        explained: creeps || (sees && (graze || unresolved)),
         why,
         event: Some(*exact),
     }
@@ -251,7 +288,7 @@ fn missed(exact: &Event, bound: &Bound<'_>, name: &str) -> Explained {
 /// A collision that the exact engine does not have in its place.
 fn phantom(ours: &Event, bound: &Bound<'_>, name: &str) -> Explained {
     let radius = bound.evidence.scene.smallest_radius();
-    let gap = bound.gap(ours).max(0.0);
+    let gap = bound.gap(ours);
     let (relative, _) = bound.approach(ours.kind, ours.time);
     let off = 2.0 * bound.length + relative * bound.dt;
     Explained {
@@ -299,10 +336,14 @@ pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
             balls: [Some(a), b].into_iter().flatten().collect(),
         }
     });
+    let all = comparison.order.reference_collisions;
+    let place_in_order = match (parting.agree < all, all) {
+        (true, _) => format!("at collision {} of {all}", parting.agree + 1),
+        (false, 0) => "where nothing meets".to_owned(),
+        (false, _) => format!("after all {all} collisions"),
+    };
     let why = format!(
-        "at collision {} of {}, t = {} s, {}",
-        parting.agree + 1,
-        comparison.order.reference_collisions,
+        "{place_in_order}, t = {} s, {}",
         short(parting.time()),
         found.why
     );

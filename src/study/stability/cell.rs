@@ -14,6 +14,12 @@ use crate::study::compare::table_picture;
 use crate::study::matrix::{Cell, Ran, Runner};
 use crate::trace::{Ending, Record, Trace};
 
+/// The finding that is the verdict of a run.
+pub const VERDICT: &str = "verdict";
+
+/// The finding that says how and when a run ended.
+const ENDING: &str = "ending";
+
 /// Samples of a stepping engine in a run, besides its events.
 const SAMPLES: f64 = 256.0;
 
@@ -57,8 +63,8 @@ impl Judged {
             .map(|(rule, judgement)| (&RULES[*rule], judgement))
     }
 
-    /// Every figure and verdict, with its address. The balls concerned are named where something is wrong; where all is well
-    /// rounding decides whose the figure is.
+    /// Every figure and verdict, with its address. A figure that holds and is nothing within its tolerance says no more than the verdict of the
+    /// run and is left out.
     pub fn findings(&self, scene: &str, engine: &str) -> Vec<Finding> {
         let finding = |metric, value, unit, verdict| Finding {
             scene: scene.to_owned(),
@@ -69,24 +75,18 @@ impl Judged {
             unit,
             verdict,
         };
-        let mut findings = vec![Finding {
-            subject: self
-                .spoken()
-                .map_or(String::new(), |(rule, _)| match self.verdict {
-                    Verdict::Holds => String::new(),
-                    _ => rule.id.to_owned(),
-                }),
-            ..finding("verdict", None, "", Some(self.verdict))
-        }];
+        let mut findings = vec![finding(VERDICT, None, "", Some(self.verdict))];
         if let Some((ending, time)) = self.ending {
             findings.push(Finding {
                 subject: ending.to_owned(),
-                ..finding("ending", Some(time), "s", None)
+                ..finding(ENDING, Some(time), "s", None)
             });
         }
         for (rule, judgement) in &self.judgements {
             let rule = &RULES[*rule];
-            if judgement.value.is_none() && judgement.verdict == Some(Verdict::Holds) {
+            let nothing = |value: f64| rule.tolerance(self.ulp).holds(value, 0.0);
+            let says_nothing = judgement.value.is_none_or(nothing);
+            if says_nothing && judgement.verdict == Some(Verdict::Holds) {
                 continue;
             }
             findings.push(finding(
@@ -133,6 +133,12 @@ pub fn run(
         Ok(ran) => ran,
         Err(refusal) => return Judged::refused(refusal.to_string()),
     };
+    // a run that could not begin: its numbers are beyond the scalar
+    if let Ending::NotFinite(spot) = &ran.trace.ending
+        && spot.time == 0.0
+    {
+        return Judged::refused(spot.why.clone());
+    }
     let short = if events {
         Record::Events
     } else {

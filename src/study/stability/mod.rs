@@ -14,7 +14,7 @@ mod rules;
 mod tables;
 mod words;
 
-pub use cell::{Judged, judge};
+pub use cell::{Judged, VERDICT, judge};
 pub use images::{is_reversible, mirrored, relabelled, reversed};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
@@ -24,7 +24,7 @@ pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
 use super::matrix::{Column, Task, Watch, run_tasks};
 use crate::engine::Engine;
 use crate::engine::exact::Exact;
-use crate::finding::{Finding, Verdict};
+use crate::finding::{Finding, Tolerance, Verdict};
 use crate::scene::Scene;
 
 /// Most events of an event-driven run: a hard case that needs more is not one that a person waits for.
@@ -190,6 +190,21 @@ impl Outcome {
             }
         }
         broken
+    }
+
+    /// By how much a figure of a check may move in the engine with this label.
+    pub fn tolerance(&self, engine: &str, check: &str) -> Tolerance {
+        let labelled = |case: &&Case| case.planned.column.label() == engine;
+        let judged = self.cases.iter().filter(labelled);
+        let ulp = judged
+            .filter_map(|case| case.judged.as_ref())
+            .map(|judged| judged.ulp);
+        let ulp = ulp.fold(f64::EPSILON, f64::max);
+        match (check, rule(check)) {
+            (VERDICT, _) => Tolerance::None,
+            (_, Some(rule)) => rule.tolerance(ulp),
+            (_, None) => rules::grown_rounding(ulp),
+        }
     }
 
     /// Every figure and verdict of one scene, with its address.

@@ -1,17 +1,21 @@
 //! What the exact engine knows of a scene, and what a first-order engine may miss of it.
 //!
-//! An engine with a step finds a collision up to one step late, by which two balls have come up to `2 v dt` too near. Each collision hands
-//! such an error on, grown as the exact run grows from there: by G_k / G_i from collision i to the k-th, where G_i is the largest factor by
-//! which a perturbation of the start has grown just after collision i. So after k collisions a position may be off by
-//! `2 v dt (1 + sum of G_k / G_i)`, v the largest speed of the exact run. To it comes rounding: each step and each collision rounds
-//! positions and velocities once, which adds up to `(steps + k + 1) ulp (X + v t) G_k`, X the largest coordinate.
+//! An engine with a step finds a collision up to one step late, by which two balls have come up to `2 v dt` too near, v the largest speed
+//! of the exact run. Each collision i hands such an error on, grown by the largest factor G_i by which a perturbation just after it has
+//! grown at the end of the run. So after k collisions a position may be off by `2 v dt (1 + G_1 + ... + G_k)`. To it comes rounding: each step and
+//! each collision rounds positions and velocities once, which adds up to `(steps + k + 1) ulp (X + v t) G`, X the largest
+//! coordinate and G the growth from the start.
 
 use crate::engine::Limits;
-use crate::engine::exact::Precision;
 use crate::engine::exact::horizon::{BAND, Horizon, Sight, horizon};
+use crate::engine::exact::sensitivity::{Growth, growth};
+use crate::engine::exact::{Precision, solve};
 use crate::math::worse;
 use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Ending, Trace};
+
+/// The run is started anew after no more collisions than this.
+const MOST_RESTARTS: usize = 64;
 
 /// What the exact engine knows of a scene.
 #[derive(Clone, Debug)]
@@ -22,9 +26,10 @@ pub struct Oracle {
     pub until: f64,
     /// Events up to there, and of the run.
     pub certain: (usize, usize),
-    /// Largest factor by which a perturbation of the start has grown up to each collision, at least 1, never falling; the last is that of
-    /// the whole run.
-    pub growth: Vec<f64>,
+    /// Largest factor by which a perturbation of the start grows, at least 1.
+    pub grown: f64,
+    /// The same from just after each collision to the end of the run.
+    pub handed_on: Vec<f64>,
     /// Largest speed of a ball at any event, length/s.
     pub fastest: f64,
 }
@@ -32,7 +37,7 @@ pub struct Oracle {
 impl Oracle {
     /// Asks the exact engine; `None` where it cannot say how far its own run can be believed.
     pub fn ask(scene: &Scene, limits: &Limits<'_>) -> Option<Oracle> {
-        let found = horizon(scene, Precision::F64, true, limits)?;
+        let found = horizon(scene, Precision::F64, false, limits)?;
         if found.trace.ending == Ending::Cancelled {
             return None;
         }
@@ -44,7 +49,8 @@ impl Oracle {
         Some(Oracle {
             until,
             certain: (certain, found.sights.len()),
-            growth: by_collision(&found),
+            grown: factor(scene, &found.trace, found.growth.as_ref()),
+            handed_on: handed_on(scene, &found.trace, limits),
             fastest: fastest(&found.trace),
             trace: found.trace,
         })
@@ -60,23 +66,15 @@ impl Oracle {
         self.until.is_infinite()
     }
 
-    /// Growth of the whole run.
-    pub fn grown(&self) -> f64 {
-        self.growth.last().copied().unwrap_or(1.0)
-    }
-
     /// By how much a position may be off after `collisions`, before the next one, length.
     pub fn allowance(&self, scene: &Scene, allowance: &Allowance, collisions: usize) -> f64 {
-        let all = self.growth.len().saturating_sub(1);
-        let to = self.growth[collisions.min(all)];
-        let before = self.growth.iter().take(collisions.min(all));
-        let handed_on: f64 = before.map(|from| to / from).sum();
-        let n = collisions as f64 + 1.0;
+        let handed_on: f64 = self.handed_on.iter().take(collisions).sum();
+        let n = collisions.min(self.handed_on.len()) as f64 + 1.0;
         let path = self.fastest * self.trace.end_time.min(scene.duration);
         let stepping = 2.0 * self.fastest * allowance.dt * (1.0 + handed_on);
         let rounding =
             (allowance.steps as f64 + n) * allowance.ulp * (scene.largest_coordinate() + path);
-        stepping + rounding * to
+        stepping + rounding * self.grown
     }
 }
 
@@ -91,21 +89,44 @@ fn by_agreement(found: &Horizon) -> (usize, f64) {
     )
 }
 
-/// Growth up to each collision, and at the end.
-fn by_collision(found: &Horizon) -> Vec<f64> {
-    let factors = found.growth.as_ref().map_or(&[][..], |g| &g.factors);
-    let mut most = 1.0;
-    let mut grown = Vec::new();
-    for (index, event) in found.trace.events.iter().enumerate() {
-        most = worse(most, factors.get(index).copied().unwrap_or(most));
-        if event.kind.is_collision() {
-            grown.push(most);
-        }
+/// Growth from just after each collision to the end. Of many collisions a few speak for those that follow them.
+fn handed_on(scene: &Scene, trace: &Trace, limits: &Limits<'_>) -> Vec<f64> {
+    let times: Vec<f64> = trace.collisions().map(|event| event.time).collect();
+    let stride = times.len().div_ceil(MOST_RESTARTS).max(1);
+    let mut grown = Vec::with_capacity(times.len());
+    for chunk in times.chunks(stride) {
+        let rest = from(scene, trace, chunk[0]).map(|rest| {
+            let again = solve::<f64>(&rest, limits).trace;
+            factor(&rest, &again, growth(&rest, &again, false).as_ref())
+        });
+        grown.extend(chunk.iter().map(|_| rest.unwrap_or(1.0)));
     }
-    grown.push(most);
-    // a factor that overflowed bounds nothing
-    let bound = |g: f64| if g.is_nan() { f64::INFINITY } else { g };
-    grown.into_iter().map(bound).collect()
+    grown
+}
+
+/// The scene from `time` on; `None` once a ball has left play.
+fn from(scene: &Scene, trace: &Trace, time: f64) -> Option<Scene> {
+    let mut rest = scene.clone();
+    rest.duration = trace.end_time - time;
+    rest.shot = None;
+    for (i, ball) in rest.balls.iter_mut().enumerate() {
+        ball.state = trace.in_play_at(i, time)?;
+    }
+    (rest.duration > 0.0).then_some(rest)
+}
+
+/// Growth up to the last event, and on the flight from there to the end: a velocity that is off by part of the largest speed moves its ball
+/// by as much in units of that speed and a radius.
+fn factor(scene: &Scene, trace: &Trace, growth: Option<&Growth>) -> f64 {
+    let last = trace.events.last().map_or(0.0, |event| event.time);
+    let flight = scene.largest_speed() * (trace.end_time - last) / scene.smallest_radius();
+    let factor = growth.map_or(1.0, Growth::last) * (1.0 + flight.max(0.0));
+    // one that overflowed bounds nothing
+    if factor.is_nan() {
+        f64::INFINITY
+    } else {
+        factor.max(1.0)
+    }
 }
 
 /// What of an engine an error may come from.
