@@ -306,9 +306,10 @@ fn phantom(ours: &Event, bound: &Bound<'_>, name: &str) -> Explained {
 pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
     let oracle = e.oracle?;
     let Some(comparison) = &e.comparison else {
-        // the exact run itself: how many of its events can be believed
+        // the exact run itself: how many of its collisions can be believed
         let own = e.events && e.trace.provenance.resolution == 0.0;
-        return own.then(|| Judgement::holds(oracle.certain.0 as f64));
+        let certain = e.trace.collisions().filter(|c| c.time < oracle.until);
+        return own.then(|| Judgement::holds(certain.count() as f64));
     };
     let Some(parting) = parting(e, oracle, comparison) else {
         let certain = comparison

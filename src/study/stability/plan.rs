@@ -14,7 +14,7 @@ pub const STEPS: [&str; 6] = ["1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1"];
 ///
 /// A step of rapier with one ball more costs some microseconds, one of the stepper some nanoseconds: both bounds are about a tenth of
 /// a second a run.
-const MOST_WORK: [(&str, f64); 2] = [("rapier", 3e4), ("stepper", 3e6)];
+const MOST_WORK: [(&str, f64); 2] = [("rapier", 4e4), ("stepper", 1e7)];
 
 /// Work of one run above which not even `--full` runs it: a minute for rapier, some seconds for the stepper, whose trace of a pair
 /// that sticks grows by four states a step.

@@ -195,7 +195,7 @@ pub const RULES: &[Rule] = &[
     Rule {
         id: "mirror",
         unit: "R",
-        what: "the mirrored scene ends in the mirrored places, within rounding times the growth, or twice what its steps make of it",
+        what: "the mirrored scene ends in the mirrored places, within rounding times the growth, or twice what its steps make of it, and R",
         invariant: Some(Invariant::Mirror),
         counts: false,
         judge: |e| image(e, e.mirror, Invariant::Mirror, "mirrored"),
@@ -585,12 +585,12 @@ fn rounding_grown(e: &Evidence<'_>) -> f64 {
     oracle.allowance(e.scene, &rounding, collisions) / e.scene.smallest_radius()
 }
 
-/// What steps make of the whole run, R, and never more than half a radius; 0 without an oracle.
+/// What steps make of the whole run, R; 0 without an oracle.
 fn stepping(e: &Evidence<'_>) -> f64 {
     let radius = e.scene.smallest_radius();
     let off = |oracle: &Oracle| oracle.allowance(e.scene, &e.allowance, usize::MAX) / radius;
     let stepped = e.allowance.dt > 0.0;
-    e.oracle.filter(|_| stepped).map_or(0.0, off).min(0.5)
+    e.oracle.filter(|_| stepped).map_or(0.0, off)
 }
 
 fn image(
@@ -600,7 +600,8 @@ fn image(
     how: &str,
 ) -> Option<Judgement> {
     let apart = apart?;
-    let bound = rounding_grown(e).max(2.0 * stepping(e));
+    // where more than a radius would be explained nothing is
+    let bound = rounding_grown(e).max(2.0 * stepping(e)).min(1.0);
     if apart <= bound {
         return Some(Judgement::holds(apart));
     }
