@@ -52,8 +52,8 @@ pub trait Engine: Sync {
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)>;
 
     /// Settings that differ from `setting` in one knob each, and what that knob stands for: each removes one source of
-    /// error, so that a study can name the one that makes a difference disappear.
-    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)>;
+    /// error that can act in the scene, so that a study can name the one that makes a difference disappear.
+    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)>;
 
     /// Builds a run. Call [`prepare`] instead, which also asks and audits.
     fn prepare<'a>(

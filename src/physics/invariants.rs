@@ -22,6 +22,10 @@ pub fn momentum(state: &State, mass: f64) -> Vec3 {
 }
 
 /// What an engine can promise of a trace. A promise is hard: a trace that breaks it is a defect of the engine.
+///
+/// "The same trace" means the same states at the same times, within rounding and its growth. A run that collapses ends with the
+/// last of infinitely many impacts that rounding still tells apart; when that is, and how many impacts there were, is no part of
+/// the promise, so two such runs are the same up to the earlier of their ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Invariant {
     /// No NaN and no infinity in any state.

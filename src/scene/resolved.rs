@@ -204,6 +204,22 @@ impl Scene {
         1e-12 * self.smallest_radius() + 8.0 * f64::EPSILON * self.largest_coordinate()
     }
 
+    /// No ball is ever faster, length/s: all kinetic energy in the lightest.
+    pub fn fastest(&self) -> f64 {
+        let masses = self.balls.iter().map(|ball| ball.mass);
+        let lightest = masses.fold(f64::INFINITY, f64::min);
+        (2.0 * self.initial_energy() / lightest).sqrt()
+    }
+
+    /// What the place of a ball is good to at an event that is solved for in f64, length: [`Scene::touching`], and two roundings
+    /// of the clock at the largest speed.
+    ///
+    /// It is also how far such an engine may leave a ball outside or in another one; a fast ball late in a long run moves
+    /// farther between two numbers of the clock than coordinates are good to.
+    pub fn place_blur(&self) -> f64 {
+        self.touching() + 2.0 * f64::EPSILON * self.duration * self.fastest()
+    }
+
     /// Distance of the centres at which balls `a` and `b` touch, seen in plan, length.
     pub fn contact_distance(&self, a: usize, b: usize) -> f64 {
         plan_distance(self.balls[a].radius, self.balls[b].radius)

@@ -202,7 +202,8 @@ impl Trace {
     /// State of ball `i` at time `t`; `None` from the moment at which it left play.
     pub fn in_play_at(&self, i: usize, t: f64) -> Option<State> {
         let path = self.paths.get(i)?;
-        let left = self.pocketed(i) && path.knots.last().is_some_and(|last| t >= last.time);
+        // the cheap question first: the other one reads all events
+        let left = path.knots.last().is_some_and(|last| t >= last.time) && self.pocketed(i);
         if left { None } else { path.state_at(t) }
     }
 

@@ -16,6 +16,7 @@ mod exact_laws;
 mod exact_reflections;
 mod exact_scale;
 mod exact_symmetries;
+mod hard;
 mod horizon;
 mod laws;
 mod missed_collisions;

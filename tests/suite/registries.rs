@@ -76,7 +76,7 @@ fn every_ladder_and_remedy_is_a_setting_that_its_engine_accepts() {
                 assert_eq!(prepared, Ok(()), "{} {name} {setting}", engine.id());
             }
         }
-        for (what, setting) in engine.remedies(&Setting::default()) {
+        for (what, setting) in engine.remedies(&scene, &Setting::default()) {
             assert_eq!(
                 prepare(*engine, &scene, &setting).map(|_| ()),
                 Ok(()),

@@ -236,7 +236,7 @@ impl Engine for Exact {
         vec![("precision", Precision::FIXED.map(at).to_vec())]
     }
 
-    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn remedies(&self, _scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
         match setting.read::<Settings>() {
             Ok(Settings {
                 precision: Precision::F32,

@@ -400,7 +400,8 @@ impl<T: Real> Loop<'_, T> {
         )))
     }
 
-    /// True if a ball is so slow that the square of its speed has lost its digits, and still gets somewhere within the duration.
+    /// True if a ball is so slow that the square of its speed has lost its digits, and still gets somewhere within the duration:
+    /// farther than surfaces that touch may be apart.
     fn creeps(&self, ball: usize) -> bool {
         let world = &self.solver.world;
         let given = self.solver.scene.balls[ball].state.velocity;
@@ -412,7 +413,7 @@ impl<T: Real> Loop<'_, T> {
         let small = T::lift(T::ULP) / T::lift(3.0);
         let lost = (square * small / small - square).abs();
         (square == T::zero() || lost > square * T::lift(16.0 * T::ULP))
-            && path > world.blur.length.to_f64()
+            && path > world.touching.to_f64()
     }
 
     /// Counts an event at this time.

@@ -66,12 +66,7 @@ impl<T: Real> World<T> {
         };
         let radius: Vec<T> = scene.balls.iter().map(|b| lift(b.radius)).collect();
         let bounded = scene.effects.cushion.is_some();
-        let lightest = scene
-            .balls
-            .iter()
-            .map(|b| b.mass)
-            .fold(f64::INFINITY, f64::min);
-        let fastest = (2.0 * scene.initial_energy() / lightest).sqrt();
+        let fastest = scene.fastest();
         let effects = scene.effects.lift();
         let ground = Ground::new(&effects, lift(scene.gravity));
         let travel = match ground {

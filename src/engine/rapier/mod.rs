@@ -188,18 +188,40 @@ impl Engine for Rapier {
         ]
     }
 
-    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
-        let Ok(settings) = Settings::read(setting) else {
+    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
+        let Ok(settings) = Settings::read(setting).and_then(|settings| settings.for_scene(scene))
+        else {
             return Vec::new();
         };
+        let with = |key: &str, value: &str| setting.clone().with(key, value);
         let mut remedies = Vec::new();
-        if settings.contact_recycling {
-            let fresh = setting.clone().with("contact_recycling", false);
-            remedies.push(("contact recycling", fresh));
+        let meet = scene.effects.contact.is_some() && scene.balls.len() > 1;
+        if settings.contact_recycling && meet {
+            remedies.push(("contact recycling", with("contact_recycling", "false")));
         }
         if settings.can_sleep {
-            let awake = setting.clone().with("can_sleep", false);
-            remedies.push(("sleep", awake));
+            remedies.push(("sleep", with("can_sleep", "false")));
+        }
+        let fastest = scene.fastest();
+        if fastest > settings.normalized_max_linear_velocity * settings.length_unit {
+            let none = format!("{:e}", f64::MAX);
+            remedies.push((
+                "the cap on speed",
+                with("normalized_max_linear_velocity", &none),
+            ));
+        }
+        // rolling turns a ball by its speed over its radius
+        let turn = settings.dt * fastest / scene.smallest_radius();
+        if !settings.allow_fast_rotation
+            && scene.effects.rotates()
+            && turn > std::f64::consts::FRAC_PI_4
+        {
+            remedies.push(("the cap on rotation", with("allow_fast_rotation", "true")));
+        }
+        let jumps = fastest * settings.dt > 2.0 * scene.smallest_radius();
+        let sweeps = matches!(settings.ccd, Ccd::Cue);
+        if jumps && !sweeps && meet {
+            remedies.push(("the sweep of the cue ball", with("ccd", "cue")));
         }
         let finer = setting.clone().with("dt", settings.dt / 8.0);
         remedies.push(("the time step", finer));

@@ -98,6 +98,25 @@ impl Settings {
     }
 }
 
+/// A deceleration, length/s^2, with which a ball that has all the energy is at rest before balls that share it; `None` where
+/// something is not slowed.
+///
+/// Without rotation the root of the energy falls at least as fast as that of the lightest ball alone: mu g. A ball that turns slips
+/// at up to sqrt(7/2) of the speed that its energy stands for, for 2/7 of that by `mu_slide g`, then rolls or spins for at most that
+/// speed by the smaller of `mu_roll g` and `mu_spin g`.
+fn slowest(scene: &Scene) -> Option<f64> {
+    let mu = match scene.effects.cloth? {
+        Cloth::Translational { mu } => mu,
+        Cloth::Rotational {
+            mu_slide,
+            mu_roll,
+            mu_spin,
+        } => 1.0 / (2.0 / 7.0 * 3.5_f64.sqrt() / mu_slide + 1.0 / mu_roll.min(mu_spin)),
+    };
+    let slowest = mu * scene.gravity;
+    (slowest > 0.0).then_some(slowest)
+}
+
 impl Engine for Stepper {
     fn id(&self) -> &'static str {
         "stepper"
@@ -140,16 +159,9 @@ impl Engine for Stepper {
         if lossless {
             promises.push(Invariant::ImpactEnergy);
         }
-        let slows = match effects.cloth {
-            None => false,
-            Some(Cloth::Translational { mu }) => mu > 0.0,
-            Some(Cloth::Rotational {
-                mu_slide,
-                mu_roll,
-                mu_spin,
-            }) => mu_slide > 0.0 && mu_roll > 0.0 && mu_spin > 0.0,
-        };
-        if slows && scene.gravity > 0.0 {
+        if let Some(slowest) = slowest(scene)
+            && scene.fastest() / slowest <= scene.duration
+        {
             promises.push(Invariant::EverythingStops);
         }
         promises
@@ -168,7 +180,7 @@ impl Engine for Stepper {
         ]
     }
 
-    fn remedies(&self, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn remedies(&self, _scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
         let Ok(settings) = setting.read::<Settings>() else {
             return Vec::new();
         };

@@ -122,7 +122,7 @@ fn cause(
             .collect()
     };
     let wanted = prefix(reference);
-    let remedies = column.engine.remedies(&column.setting);
+    let remedies = column.engine.remedies(scene, &column.setting);
     let columns: Vec<Column> = remedies
         .iter()
         .map(|(_, setting)| Column {

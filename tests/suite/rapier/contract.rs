@@ -226,7 +226,7 @@ impl Engine for Tampering {
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         Vec::new()
     }
-    fn remedies(&self, _setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn remedies(&self, _scene: &Scene, _setting: &Setting) -> Vec<(&'static str, Setting)> {
         Vec::new()
     }
     fn prepare<'a>(&self, _: &'a Scene, setting: &Setting) -> Result<Box<dyn Run + 'a>, Refusal> {

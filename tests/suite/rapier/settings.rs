@@ -6,7 +6,7 @@ use carom::engine::{self, Refusal, Setting};
 use carom::scene::Scene;
 use carom::trace::Record;
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 fn slide() -> Scene {
     scenario("slide")
@@ -306,6 +306,39 @@ fn every_rung_of_every_ladder_can_run() {
                 if let Err(refusal) = engine::prepare(engine, &scene, &setting) {
                     panic!("{id}, {name}, {setting}: {refusal}");
                 }
+            }
+        }
+    }
+}
+
+#[test]
+fn remedies_are_those_for_what_can_go_wrong_in_the_scene() {
+    let stock = Setting::default().with("preset", "stock");
+    for (name, more) in [
+        // 1.5 m/s and nothing that turns
+        ("contact-recycling", vec!["contact recycling"]),
+        // 500 m/s, nothing to meet
+        ("speed-cap", vec!["the cap on speed"]),
+        // 200 m/s are below the cap of 400, and 3 m a step
+        (
+            "through-a-ball",
+            vec!["contact recycling", "the sweep of the cue ball"],
+        ),
+        // 105 rad/s turn a ball by 1.7 in 1/60 s
+        ("rotation-cap", vec!["the cap on rotation"]),
+    ] {
+        let scene = carom::scene::catalogue::scene(name).unwrap();
+        for (engine, _) in BOTH {
+            let remedies = engine::find(engine).unwrap().remedies(&scene, &stock);
+            let found: BTreeSet<&str> = remedies.iter().map(|(what, _)| *what).collect();
+            let expected: BTreeSet<&str> = ["sleep", "the time step"]
+                .into_iter()
+                .chain(more.clone())
+                .collect();
+            assert_eq!(found, expected, "{engine} in {name}");
+            for (what, setting) in remedies {
+                let prepared = engine::prepare(engine::find(engine).unwrap(), &scene, &setting);
+                assert!(prepared.is_ok(), "{engine} in {name}: {what}: {setting}");
             }
         }
     }
