@@ -209,7 +209,7 @@ pub struct StabilityArguments {
     /// Engines with optional settings, as in `carom compare`. Without it: every engine and preset.
     #[arg(long, value_name = "LIST")]
     pub engines: Option<String>,
-    /// Also scenes and steps that take more than their share.
+    /// Also scenes and steps that take more than their share: about a minute a scene.
     #[arg(long)]
     pub full: bool,
     /// Folder of the accepted findings, one CSV file a scene. The default is looked for below the current folder.

@@ -4,7 +4,7 @@ use super::arguments::{StabilityArguments, parse_engines};
 use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal};
 use crate::engine::ENGINES;
 use crate::finding::{Block, Document};
-use crate::gate::{self, Accepted, Located, Row};
+use crate::gate::{self, Accepted, Decision, Located, Refused, Row, Standing};
 use crate::scene::{Scene, catalogue};
 use crate::study::Watch;
 use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
@@ -46,21 +46,9 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
         || held.document(page, usize::MAX),
         arguments.out.as_deref(),
     )?;
-    if held.outcome.is_cut_short() {
-        terminal::say("It was stopped before its end, so nothing is held and nothing accepted.");
-        return Ok(ExitCode::from(COULD_NOT_RUN));
-    }
-    let broken = held.outcome.broken_promises();
     match reason {
-        Some(_) if !broken.is_empty() => {
-            terminal::say("Nothing is accepted: a promised invariant is broken.");
-            Ok(ExitCode::from(NOT_MET))
-        }
-        Some(reason) => {
-            held.accept(&files, &reason)?;
-            Ok(printed)
-        }
-        None => held.decide(&broken, printed, arguments),
+        Some(reason) => held.accept(&files, &reason),
+        None => held.decide(printed, arguments),
     }
 }
 
@@ -130,6 +118,9 @@ fn read(file: &Path) -> Result<Option<Accepted>, Failure> {
     })?;
     Ok(Some(accepted))
 }
+
+/// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
+type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
 
 /// A matrix held against what was accepted.
 struct Held {
@@ -216,11 +207,7 @@ impl Held {
     }
 
     /// A document with what differs in it, after its opening.
-    fn document(
-        &self,
-        write: fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document,
-        most: usize,
-    ) -> Document {
+    fn document(&self, write: Writer, most: usize) -> Document {
         let changed = |scene: usize, engine: &str| {
             let name = &self.outcome.question.scenes[scene].name;
             self.changes.iter().any(|located| {
@@ -266,8 +253,26 @@ impl Held {
         format!("Accepted findings, {folder}: {}.", parts.join("; "))
     }
 
+    /// How the run stands to what was accepted.
+    fn standing(&self) -> Standing {
+        Standing {
+            cut_short: self.outcome.is_cut_short(),
+            missing: self.unknown().len(),
+            stale: self.stale.len(),
+            changes: self.changes.len(),
+            broken_promises: self.outcome.broken_promises().len(),
+        }
+    }
+
     /// Writes the files of the scenes in which something changed.
-    fn accept(&self, files: &[PathBuf], reason: &str) -> Result<(), Failure> {
+    fn accept(&self, files: &[PathBuf], reason: &str) -> Result<ExitCode, Failure> {
+        if let Err(refused) = self.standing().acceptance() {
+            terminal::say(&format!("error: {refused}"));
+            return Ok(ExitCode::from(match refused {
+                Refused::CutShort => COULD_NOT_RUN,
+                _ => NOT_MET,
+            }));
+        }
         let mut written = 0;
         for (index, scene) in self.outcome.question.scenes.iter().enumerate() {
             let known = self.accepted[index].is_some() && !self.stale.contains(&scene.name);
@@ -293,7 +298,7 @@ impl Held {
             "Accepted: {written} of {} files written below {folder}.",
             files.len()
         ));
-        Ok(())
+        Ok(ExitCode::SUCCESS)
     }
 
     /// What is accepted of a scene: what was found, and what was accepted before of runs that were left out.
@@ -316,34 +321,46 @@ impl Held {
         rows
     }
 
-    /// The exit code.
+    /// The exit code, and what to do about it.
     fn decide(
         &self,
-        broken: &[String],
         printed: ExitCode,
         arguments: &StabilityArguments,
     ) -> Result<ExitCode, Failure> {
+        let standing = self.standing();
+        match standing.decision() {
+            Decision::Met => Ok(printed),
+            Decision::NotMet => {
+                terminal::say(
+                    "Not as accepted. If it is right: `carom stability --accept --reason \"...\"`.",
+                );
+                Ok(ExitCode::from(NOT_MET))
+            }
+            Decision::Incomplete if standing.cut_short => Err(Failure::Message(
+                "it was stopped before its end, so it is not held against what was accepted"
+                    .to_owned(),
+            )),
+            Decision::Incomplete => Err(self.missing(arguments)),
+        }
+    }
+
+    /// Which files are missing, and the command that makes them.
+    fn missing(&self, arguments: &StabilityArguments) -> Failure {
         let unknown = self.unknown();
-        if !unknown.is_empty() {
-            let scenes = if arguments.scenes.is_empty() && unknown.len() > 3 {
-                String::new()
-            } else {
-                format!("{} ", unknown.join(" "))
-            };
-            return Err(Failure::Message(format!(
-                "nothing is accepted of {} of {} scenes in {}; `carom stability {scenes}--accept --reason \"...\"` accepts what is found",
-                unknown.len(),
-                self.accepted.len(),
-                self.folder.display()
-            )));
+        let whole_set = arguments.scenes.is_empty() && unknown.len() == self.accepted.len();
+        let mut command = "carom stability".to_owned();
+        if !whole_set {
+            command += &format!(" {}", unknown.join(" "));
         }
-        if self.changes.is_empty() && self.stale.is_empty() && broken.is_empty() {
-            return Ok(printed);
+        if arguments.full {
+            command += " --full";
         }
-        terminal::say(
-            "Not as accepted. If that is right: `carom stability --accept --reason \"...\"`.",
-        );
-        Ok(ExitCode::from(NOT_MET))
+        Failure::Message(format!(
+            "nothing is accepted of {} of {} scenes in {}; `{command} --accept --reason \"...\"` accepts what is found",
+            unknown.len(),
+            self.accepted.len(),
+            self.folder.display()
+        ))
     }
 }
 

@@ -53,7 +53,7 @@ pub fn write(accepted: &Accepted) -> String {
         let verdict = row.verdict.map_or("", Verdict::id);
         let value = row.value.map_or(String::new(), shortest);
         let fields = [&row.engine, &row.check, &row.subject, &value, verdict];
-        text += &format!("{}\n", fields.map(|field| quoted(field)).join(","));
+        text += &format!("{}\n", fields.map(quoted).join(","));
     }
     text
 }

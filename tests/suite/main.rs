@@ -33,6 +33,7 @@ mod scene_errors;
 mod scene_fuzz;
 mod scenes;
 mod shots;
+mod stability;
 mod stepper;
 mod stepper_effects;
 mod support;

@@ -34,8 +34,8 @@ fn parting(e: &Evidence<'_>, oracle: &Oracle, comparison: &Comparison<'_>) -> Op
     let agree = comparison.order.tolerant;
     let end = comparison.common_end();
     let nth = |trace: &Trace| {
-        let within = trace.collisions().filter(|e| e.time <= end);
-        within.skip(agree).next().copied()
+        let mut within = trace.collisions().filter(|e| e.time <= end);
+        within.nth(agree).copied()
     };
     let found = Parting {
         agree,

@@ -177,7 +177,8 @@ pub fn run(
         reversal,
     };
     let mut judged = judge(&evidence);
-    if picture && judged.verdict == Verdict::Breaks && events {
+    let own_step = !matches!(planned.role, super::plan::Role::Step(..));
+    if picture && own_step && judged.verdict == Verdict::Breaks && events {
         judged.picture = Some(draw(scene, &column.label(), &ran.trace, &judged));
     }
     judged

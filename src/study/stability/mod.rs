@@ -39,7 +39,7 @@ pub struct Question {
     pub presets: Vec<Column>,
     /// Whether cells that take more than their share run as well.
     pub full: bool,
-    /// Whether broken cells are drawn.
+    /// Whether cells of presets and tried settings that break are drawn.
     pub pictures: bool,
 }
 

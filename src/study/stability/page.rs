@@ -93,6 +93,10 @@ fn of_scene(outcome: &Outcome, index: usize) -> Document {
     let pictures: Vec<Block> = pictures.map(Block::Figure).collect();
     if !pictures.is_empty() {
         blocks.push(Block::Heading("Where it breaks".to_owned()));
+        blocks.push(Block::Text(
+            "One picture for each preset and each setting that the scene asks for; steps have none."
+                .to_owned(),
+        ));
         blocks.extend(pictures);
     }
     blocks.push(Block::Heading("Figures".to_owned()));

@@ -279,19 +279,12 @@ impl Evidence<'_> {
         16.0 * self.allowance.ulp * (impacts as f64 + 1.0) * substeps as f64
     }
 
-    /// The largest speed that all of the energy could give to the lightest ball, length/s.
-    fn fastest_possible(&self) -> f64 {
-        let masses = self.scene.balls.iter().map(|ball| ball.mass);
-        let lightest = masses.fold(f64::INFINITY, f64::min);
-        (2.0 * self.scene.initial_energy() / lightest).sqrt()
-    }
-
     /// The largest speed that was seen, length/s; the largest possible one where only the ends were.
     fn fastest(&self) -> f64 {
         if self.events {
             fastest(self.trace)
         } else {
-            self.fastest_possible()
+            self.scene.fastest()
         }
     }
 
@@ -504,10 +497,13 @@ fn must_rest_at(e: &Evidence<'_>) -> Option<(bool, f64)> {
     let late = e.allowance.dt;
     if let Some(Cloth::Translational { mu }) = e.scene.effects.cloth {
         // d/dt sqrt(E) is at most -mu g sqrt(m/2) with the lightest mass while anything moves
-        let latest = e.fastest_possible() / (mu * e.scene.gravity);
+        let latest = e.scene.fastest() / (mu * e.scene.gravity);
         if latest + late <= e.scene.duration {
             return Some((true, latest));
         }
+    }
+    if e.promises(Invariant::EverythingStops) {
+        return Some((true, e.scene.duration));
     }
     let rest = e.oracle?;
     let known = rest.trace.ending == Ending::Rest && rest.is_whole();
@@ -550,7 +546,7 @@ fn momentum(e: &Evidence<'_>) -> Option<Judgement> {
         return None;
     }
     let value = missed.value / unit;
-    if missed.value <= 64.0 * e.allowance.ulp * heaviest * e.fastest_possible() {
+    if missed.value <= 64.0 * e.allowance.ulp * heaviest * e.scene.fastest() {
         return Some(Judgement::holds(value));
     }
     let verdict = if e.promises(Invariant::Momentum) {

@@ -63,10 +63,13 @@ fn own_models(outcome: &Outcome) -> String {
         1 => "One promised invariant is broken".to_owned(),
         n => format!("{n} promised invariants are broken"),
     };
+    let own_step = |case: &Case| checked(case) && is_preset(case);
+    let other_step = |case: &Case| checked(case) && !is_preset(case);
     format!(
-        "{promised}; exact breaks in {} of its runs, the stepper with the approach check in {}.",
+        "{promised}; exact breaks in {} of its runs, the stepper with the approach check in {} at its own step and {} at others.",
         outcome.count(Verdict::Breaks, exact),
-        outcome.count(Verdict::Breaks, checked)
+        outcome.count(Verdict::Breaks, own_step),
+        outcome.count(Verdict::Breaks, other_step)
     )
 }
 
