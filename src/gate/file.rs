@@ -217,7 +217,7 @@ mod tests {
             scene: "cradle".to_owned(),
             hash: "0123".to_owned(),
             reason: "first: as measured".to_owned(),
-            versions: vec![("rapier-f64".to_owned(), "rapier3d-f64 0.36.1".to_owned())],
+            versions: vec![("rapier-f64".to_owned(), "some name 0.36.1".to_owned())],
             rows: vec![
                 row("exact", Some(0.1 + 0.2), Some(Verdict::Holds)),
                 row("a | b, \"c\"", Some(5e-324), Some(Verdict::CannotExpress)),
