@@ -333,21 +333,11 @@ enum Due {
     Rest,
     /// The scalar cannot hold the squares of its speeds.
     NotFinite,
-    /// Their squares are 0: the engine could only hold a ball at rest, and the audit refuses to run that.
-    Refused,
     /// The scalar cannot tell.
     Undecidable,
 }
 
 fn holds(name: &str, scene: &Scene, due: &Due) {
-    if let Due::Refused = due {
-        let refused = engine::prepare(engine::find(EXACT).unwrap(), scene, &Setting::default());
-        let Some(engine::Refusal::Audit { differs }) = refused.err() else {
-            panic!("{name}: not refused");
-        };
-        assert!(differs[0].contains("velocity"), "{name}: {differs:?}");
-        return;
-    }
     let trace = exact(scene);
     let met: Vec<_> = trace.collisions().collect();
     let found = format!(
@@ -365,7 +355,6 @@ fn holds(name: &str, scene: &Scene, due: &Due) {
             );
         }
         Due::Rest => assert!(trace.ending == Ending::Rest && met.is_empty(), "{found}"),
-        Due::Refused => panic!("{found}"),
         Due::NotFinite => assert!(matches!(trace.ending, Ending::NotFinite(_)), "{found}"),
         Due::Undecidable => assert!(matches!(trace.ending, Ending::Undecidable(_)), "{found}"),
     }
@@ -382,8 +371,7 @@ fn residual_speeds_down_to_1e_300_end_in_the_right_contact_or_with_a_reason() {
         // an ulp of the square of a speed is a number down to 1e-146 = sqrt(2e-308 / 2e-16)
         let due = |kind| match power {
             ..=145 => Due::Contact(kind, gap / speed, 16.0 * f64::EPSILON),
-            146..162 => Due::NotFinite,
-            _ => Due::Refused,
+            _ => Due::NotFinite,
         };
         let toward_a_ball = scenario("ball")
             .moving("slow", [0.0, 0.0], [speed, 0.0])
@@ -399,12 +387,11 @@ fn residual_speeds_down_to_1e_300_end_in_the_right_contact_or_with_a_reason() {
             .build();
         let kind = EventKind::BallCushion(0, Side::X1);
         holds(&name, &toward_a_cushion, &due(kind));
-        // with cloth it stops before it has gone anywhere; in 20 s it is also far from anything without
+        // with cloth it stops before it has gone anywhere, also where its square is 0 and the engine holds it at rest
         let mut on_cloth = toward_a_ball.clone();
         (on_cloth.effects.cloth, on_cloth.duration) =
             (Some(carom::physics::Cloth::Translational { mu: MU }), 20.0);
-        let due = if power < 162 { Due::Rest } else { Due::Refused };
-        holds(&format!("{name}, on cloth"), &on_cloth, &due);
+        holds(&format!("{name}, on cloth"), &on_cloth, &Due::Rest);
     }
 }
 
