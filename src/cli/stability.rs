@@ -227,6 +227,9 @@ impl Held {
     /// How the findings stand to the accepted ones.
     fn sentence(&self) -> String {
         let folder = self.folder.display();
+        if self.outcome.is_cut_short() {
+            return format!("Accepted findings, {folder}: not held, because not everything ran.");
+        }
         let unknown = self.unknown();
         if unknown.len() == self.accepted.len() {
             return format!("Accepted findings: none in {folder}.");
