@@ -17,6 +17,7 @@ pub mod cli;
 pub mod compare;
 pub mod engine;
 pub mod finding;
+pub mod gate;
 pub mod math;
 pub mod physics;
 pub mod report;

@@ -54,6 +54,8 @@ pub enum Command {
     /// Without --scenes and --inputs: ten thousand scenes. Exits with 1 if something is broken, and says which scene or input
     /// shows it.
     Fuzz(FuzzArguments),
+    /// Run every hard case on every engine and say what holds, what drifts, what breaks; hold it against what was accepted.
+    Stability(StabilityArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -262,6 +264,34 @@ pub struct FuzzArguments {
     #[arg(long, value_name = "DIR")]
     pub save: Option<PathBuf>,
     /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArguments {
+    /// Scenes: catalogue names or files. Without any: the set `hard`.
+    pub scenes: Vec<String>,
+    /// Engines with optional settings, as in `carom compare`. Without it: every engine and preset.
+    #[arg(long, value_name = "LIST")]
+    pub engines: Option<String>,
+    /// Also scenes and steps that take more than their share: about a minute a scene.
+    #[arg(long)]
+    pub full: bool,
+    /// Folder of the accepted findings, one CSV file a scene. The default is looked for below the current folder.
+    #[arg(long, value_name = "DIR", default_value = "validation/hard")]
+    pub accepted: PathBuf,
+    /// Accept what is found: write the files of the scenes in which something changed. Refused while a promised invariant is broken.
+    #[arg(long, requires = "reason", conflicts_with = "engines")]
+    pub accept: bool,
+    /// Why it is accepted; written into the files.
+    #[arg(long, value_name = "WHY", requires = "accept")]
+    pub reason: Option<String>,
+    /// Folder for the pages of all scenes, with a picture of each run that breaks.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }

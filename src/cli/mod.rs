@@ -1,6 +1,6 @@
 //! The only place for arguments, environment, terminal, paths and Ctrl-C.
 //!
-//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 2 it could not run.
+//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 an expectation is not met, 2 it could not run.
 
 mod arguments;
 mod compare;
@@ -14,6 +14,7 @@ mod output;
 mod report;
 mod run;
 pub mod scene;
+mod stability;
 mod terminal;
 
 use crate::finding::Document;
@@ -21,6 +22,9 @@ use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
 use std::path::Path;
 use std::process::ExitCode;
+
+/// It ran, and what was expected of it is not so.
+const NOT_MET: u8 = 1;
 
 /// It could not run: bad usage, bad scene, a file that cannot be written.
 const COULD_NOT_RUN: u8 = 2;
@@ -107,6 +111,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
         Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
+        Some(Command::Stability(arguments)) => stability::stability(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {

@@ -170,6 +170,7 @@ fn collect(scene: &Scene, engine: &str, measure: impl Fn(Reads) -> Vec<Measured>
             subject: measured.subject,
             value: measured.value,
             unit: metric.unit,
+            verdict: None,
         }));
     }
     findings

@@ -4,10 +4,12 @@
 //! them. A [`Document`] is what a study ends in; every report format writes any document, and no study knows a format.
 
 mod document;
+mod verdict;
 
 pub use document::{
     Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
 };
+pub use verdict::{Tolerance, Verdict};
 
 use serde::Serialize;
 
@@ -26,4 +28,6 @@ pub struct Finding {
     pub value: Option<f64>,
     /// Unit of the number, empty for a count or ratio.
     pub unit: &'static str,
+    /// What the number means; `None` where nothing is judged.
+    pub verdict: Option<Verdict>,
 }

@@ -203,25 +203,41 @@ pub fn run_jobs<T: Send>(
     done: impl Fn(&Job<'_>) + Sync,
     reduce: impl Fn(usize, Result<Trace, Refusal>) -> T + Sync,
 ) -> Vec<Option<T>> {
-    let mut order: Vec<usize> = (0..jobs.len()).collect();
-    order.sort_by(|a, b| jobs[*b].weight.total_cmp(&jobs[*a].weight));
-    let run = |&k: &usize| {
-        if cancelled.load(Ordering::Relaxed) {
-            return (k, None);
-        }
+    let run = |k: usize| {
         let job = &jobs[k];
         let ran = run_cell(job.scene, &job.column, record, Timing::None, cancelled);
         let trace = ran.map(|ran| ran.trace);
         if matches!(&trace, Ok(trace) if trace.ending == Ending::Cancelled) {
-            return (k, None);
+            return None;
         }
         let reduced = reduce(k, trace);
         done(job);
-        (k, Some(reduced))
+        Some(reduced)
     };
-    // one at a time from the front: a thread that took a stretch of the list would end it alone
-    let mut answers: Vec<(usize, Option<T>)> = order.iter().par_bridge().map(run).collect();
-    answers.sort_by_key(|(k, _)| *k);
+    let weights: Vec<f64> = jobs.iter().map(|job| job.weight).collect();
+    largest_first(&weights, cancelled, run)
+}
+
+/// Calls `run` with each index, in parallel, the largest of `works` first, so that none is left to run alone at the end. Answers in
+/// the order of the indices; `None` also for what was not begun when the user asked to stop.
+fn largest_first<T: Send>(
+    works: &[f64],
+    cancelled: &AtomicBool,
+    run: impl Fn(usize) -> Option<T> + Sync,
+) -> Vec<Option<T>> {
+    let mut order: Vec<usize> = (0..works.len()).collect();
+    order.sort_by(|&a, &b| works[b].total_cmp(&works[a]));
+    let unless_cancelled = |index: usize| {
+        let stop = cancelled.load(Ordering::Relaxed);
+        (index, if stop { None } else { run(index) })
+    };
+    // a bridge hands them out one by one in this order: a thread that took a stretch of the list would end it alone
+    let mut answers: Vec<(usize, Option<T>)> = order
+        .into_iter()
+        .par_bridge()
+        .map(unless_cancelled)
+        .collect();
+    answers.sort_by_key(|(index, _)| *index);
     answers.into_iter().map(|(_, answer)| answer).collect()
 }
 
@@ -348,6 +364,64 @@ pub fn run_one(
     Ok(run.simulate(record, limits))
 }
 
+/// A cell that takes several runs, for [`run_tasks`].
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// Work to expect, in any unit: the largest begin first, so that none is left to run alone at the end.
+    pub cost: f64,
+    /// What the person is told when it is done.
+    pub label: String,
+}
+
+/// How a task runs its scenes.
+#[derive(Clone, Copy, Debug)]
+pub struct Runner<'a> {
+    limits: Limits<'a>,
+}
+
+impl Runner<'_> {
+    /// Runs one scene in one column.
+    pub fn run(&self, scene: &Scene, column: &Column, record: Record) -> Cell {
+        run_within(scene, column, record, Timing::None, &self.limits)
+    }
+
+    /// What may end a run early.
+    pub fn limits(&self) -> &Limits<'_> {
+        &self.limits
+    }
+}
+
+/// Runs cells that take several runs each and keeps of each only what `conclude` makes of it.
+///
+/// `max_events`: see [`Limits`]. `conclude`: gets the index of a task, on which alone its answer must depend. Answers one value a task, in
+/// order, the same for any number of threads. `None`: a task that was not run to its end because the user asked to stop.
+pub fn run_tasks<T: Send>(
+    tasks: &[Task],
+    max_events: u64,
+    watch: Watch<'_>,
+    conclude: impl Fn(usize, Runner<'_>) -> T + Sync,
+) -> Vec<Option<T>> {
+    let runner = Runner {
+        limits: Limits {
+            max_events,
+            cancelled: watch.cancelled,
+        },
+    };
+    let done = AtomicUsize::new(0);
+    let run = |index: usize| {
+        let answer = conclude(index, runner);
+        // what was cut short says nothing
+        if watch.is_cancelled() {
+            return None;
+        }
+        let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+        (watch.progress)(count, tasks.len(), &tasks[index].label);
+        Some(answer)
+    };
+    let costs: Vec<f64> = tasks.iter().map(|task| task.cost).collect();
+    largest_first(&costs, watch.cancelled, run)
+}
+
 /// Runs one scene in one column.
 fn run_cell(
     scene: &Scene,
@@ -360,17 +434,27 @@ fn run_cell(
         cancelled,
         ..Limits::NONE
     };
+    run_within(scene, column, record, timing, &limits)
+}
+
+fn run_within(
+    scene: &Scene,
+    column: &Column,
+    record: Record,
+    timing: Timing,
+    limits: &Limits<'_>,
+) -> Cell {
     let run = engine::prepare(column.engine, scene, &column.setting)?;
     let sheet = run.sheet();
     let start = Instant::now();
-    let trace = run.simulate(record, &limits);
+    let trace = run.simulate(record, limits);
     let first = start.elapsed().as_secs_f64();
     let seconds = match timing {
         Timing::None => None,
         // a long run is not repeated for its time alone
         Timing::Alone if first > IN_PASSING.seconds => Some(first),
         Timing::Alone => {
-            time_alone(scene, column, IN_PASSING, cancelled)?.map(|timed| timed.seconds)
+            time_alone(scene, column, IN_PASSING, limits.cancelled)?.map(|timed| timed.seconds)
         }
     };
     Ok(Ran {

@@ -10,6 +10,7 @@ pub mod horizon;
 pub mod matrix;
 pub mod mutation;
 pub mod random;
+pub mod stability;
 pub mod validation;
 
 pub use matrix::{Cell, Column, Ran, Timing, Watch};

@@ -36,6 +36,7 @@ mod scene_errors;
 mod scene_fuzz;
 mod scenes;
 mod shots;
+mod stability;
 mod stepper;
 mod stepper_effects;
 mod support;

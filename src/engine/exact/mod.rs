@@ -217,7 +217,12 @@ impl Engine for Exact {
             {
                 promised.push(Invariant::EverythingStops);
             }
-            (Ground::Frictionless, None) if !lossy && world.pockets.is_empty() => {
+            // what a convention resolves at one instant comes back at several
+            (Ground::Frictionless, None)
+                if !lossy
+                    && world.pockets.is_empty()
+                    && scene.simultaneous != Simultaneous::GeneralizedReflections =>
+            {
                 promised.push(Invariant::TimeReversal);
             }
             // how long balls slide, roll and spin has no such bound

@@ -29,7 +29,6 @@ use super::matrix::{self, Column, Effort, Job, Timed, Watch};
 use crate::engine::exact::horizon::horizon;
 use crate::engine::exact::{Exact, Precision};
 use crate::engine::{Limits, Refusal, Setting};
-use crate::finding::Finding;
 use crate::math::statistics::Distribution;
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
@@ -419,25 +418,5 @@ impl<'a> Runs<'a> {
             self.tell(work, &format!("timing {}", column.label()));
             outcome.families[f].points[p].timed = timed.ok().flatten();
         }
-    }
-}
-
-impl Outcome {
-    /// Every number with its address.
-    pub fn findings(&self) -> Vec<Finding> {
-        let mut findings = Vec::new();
-        for point in self.families.iter().flat_map(|measured| &measured.points) {
-            for quantity in Quantity::ALL {
-                findings.push(Finding {
-                    scene: self.scene.name.clone(),
-                    engine: point.level.column.label(),
-                    metric: quantity.id(),
-                    subject: String::new(),
-                    value: point.error(quantity),
-                    unit: quantity.unit(),
-                });
-            }
-        }
-        findings
     }
 }

@@ -1,0 +1,381 @@
+//! `carom stability`.
+
+use super::arguments::{StabilityArguments, parse_engines};
+use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal};
+use crate::engine::ENGINES;
+use crate::finding::{Block, Document};
+use crate::gate::{self, Accepted, Decision, Located, Refused, Row, Standing};
+use crate::scene::{Scene, catalogue};
+use crate::study::Watch;
+use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// A terminal shows no more changes than this.
+const MOST_CHANGES: usize = 40;
+
+/// Runs the hard cases, holds them against what was accepted, or accepts them.
+pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
+    let reason = reason(arguments)?;
+    let question = question(arguments)?;
+    let files: Vec<PathBuf> = question
+        .scenes
+        .iter()
+        .map(|scene| arguments.accepted.join(format!("{}.csv", scene.name)))
+        .collect();
+    // a file that cannot be read is said before anything runs
+    let accepted = files
+        .iter()
+        .map(|file| read(file))
+        .collect::<Result<Vec<_>, _>>()?;
+    let progress = terminal::Progress::new();
+    let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
+    let watch = Watch {
+        progress: &show,
+        cancelled: terminal::cancelled(),
+    };
+    let outcome = study(question, watch);
+    drop(progress);
+    let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
+    let held = Held::new(outcome, accepted, arguments);
+    let printed = publish(
+        &held.document(summary, MOST_CHANGES),
+        &arguments.format,
+        || held.document(page, usize::MAX),
+        arguments.out.as_deref(),
+    )?;
+    match reason {
+        Some(reason) => held.accept(&files, &reason),
+        None => held.decide(printed, arguments),
+    }
+}
+
+/// Why the findings are accepted; `None` if they are to be held.
+fn reason(arguments: &StabilityArguments) -> Result<Option<String>, Failure> {
+    let Some(reason) = arguments.reason.as_deref().map(str::trim) else {
+        return Ok(None);
+    };
+    if reason.is_empty() {
+        return Err(Failure::Message(
+            "`--reason` is empty: say why these findings are right, or why they stay as they are"
+                .to_owned(),
+        ));
+    }
+    Ok(Some(reason.to_owned()))
+}
+
+fn question(arguments: &StabilityArguments) -> Result<Question, Failure> {
+    let presets = match &arguments.engines {
+        Some(list) => parse_engines(list)?,
+        None => presets(),
+    };
+    let mut scenes = scenes(arguments)?;
+    if let Some(twice) =
+        (1..scenes.len()).find(|&i| scenes[..i].iter().any(|s| s.name == scenes[i].name))
+    {
+        let name = scenes.swap_remove(twice).name;
+        return Err(Failure::Message(format!("scene {name} is named twice")));
+    }
+    Ok(Question {
+        scenes,
+        presets,
+        full: arguments.full,
+        pictures: arguments.out.is_some(),
+    })
+}
+
+/// The scenes that were named, or the set `hard`, without those that take long unless `--full` is given.
+fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
+    if !arguments.scenes.is_empty() {
+        let named = arguments.scenes.iter().map(|name| scene::resolve(name));
+        return Ok(named.collect::<Result<_, _>>()?);
+    }
+    let mut scenes = catalogue::set("hard")?;
+    if !arguments.full {
+        scenes.retain(|scene| !scene.sets.iter().any(|set| set == "full"));
+    }
+    Ok(scenes)
+}
+
+/// The accepted findings in a file; `None` if there is no such file.
+fn read(file: &Path) -> Result<Option<Accepted>, Failure> {
+    let text = match fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => {
+            let message = format!("cannot read {}: {error}", file.display());
+            return Err(Failure::Message(message));
+        }
+    };
+    let accepted = gate::read(&text).map_err(|malformed| {
+        Failure::Message(format!(
+            "{}, {malformed}; mend it, or remove it and run `carom stability {} --accept --reason \"...\"`",
+            file.display(),
+            file.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
+        ))
+    })?;
+    Ok(Some(accepted))
+}
+
+/// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
+type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
+
+/// A matrix held against what was accepted.
+struct Held {
+    outcome: Outcome,
+    /// By scene; `None` where nothing was accepted.
+    accepted: Vec<Option<Accepted>>,
+    /// What differs, in the scenes of which something was accepted.
+    changes: Vec<Located>,
+    /// Scenes that are not what they were when their findings were accepted.
+    stale: Vec<String>,
+    /// Findings of runs that only `--full` does, of which nothing was accepted.
+    new: usize,
+    folder: PathBuf,
+}
+
+impl Held {
+    fn new(
+        outcome: Outcome,
+        accepted: Vec<Option<Accepted>>,
+        arguments: &StabilityArguments,
+    ) -> Self {
+        let mut held = Held {
+            outcome,
+            accepted,
+            changes: Vec::new(),
+            stale: Vec::new(),
+            new: 0,
+            folder: arguments.accepted.clone(),
+        };
+        // what was stopped has no findings, and that is no change
+        if held.outcome.is_cut_short() {
+            return held;
+        }
+        for index in 0..held.outcome.question.scenes.len() {
+            held.hold(index, arguments.engines.is_some());
+        }
+        held
+    }
+
+    /// Holds one scene. `some`: whether engines were named, so that those that were not are not missed.
+    fn hold(&mut self, index: usize, some: bool) {
+        let Some(accepted) = &self.accepted[index] else {
+            return;
+        };
+        let scene = &self.outcome.question.scenes[index];
+        if accepted.hash != scene.hash() {
+            self.stale.push(scene.name.clone());
+        }
+        let case = |row: &Row| {
+            let mut own = self.outcome.of_scene(index);
+            own.find(|case| case.planned.column.label() == row.engine)
+        };
+        // a run that was left out is not missed; one that is no longer planned is
+        let old: Vec<Row> = accepted
+            .rows
+            .iter()
+            .filter(|row| case(row).map_or(!some, |case| case.judged.is_some()))
+            .cloned()
+            .collect();
+        let found: Vec<Row> = self.outcome.findings(index).iter().map(Row::from).collect();
+        let only_full = |row: &Row| case(row).is_some_and(|case| case.planned.reach == Reach::Full);
+        let (new, held): (Vec<Row>, Vec<Row>) = found
+            .into_iter()
+            .partition(|row| only_full(row) && !old.iter().any(|known| known.engine == row.engine));
+        let changes = gate::diff(&old, &held, |row| {
+            self.outcome.tolerance(&row.engine, &row.check)
+        });
+        let name = scene.name.clone();
+        self.new += new.len();
+        self.changes
+            .extend(changes.into_iter().map(|change| Located {
+                scene: name.clone(),
+                change,
+            }));
+    }
+
+    /// Names of scenes of which nothing was accepted.
+    fn unknown(&self) -> Vec<&str> {
+        let scenes = self.outcome.question.scenes.iter().zip(&self.accepted);
+        scenes
+            .filter(|(_, accepted)| accepted.is_none())
+            .map(|(scene, _)| scene.name.as_str())
+            .collect()
+    }
+
+    /// A document with what differs in it, after its opening.
+    fn document(&self, write: Writer, most: usize) -> Document {
+        let changed = |scene: usize, engine: &str| {
+            let name = &self.outcome.question.scenes[scene].name;
+            self.changes.iter().any(|located| {
+                located.scene == *name
+                    && located.change.row().is_some_and(|row| row.engine == engine)
+            })
+        };
+        let mut document = write(&self.outcome, &changed);
+        let mut opening = vec![Block::Text(self.sentence())];
+        if !self.changes.is_empty() {
+            opening.push(Block::Table(gate::changes_table(&self.changes, most)));
+        }
+        document.blocks.splice(0..0, opening);
+        document
+    }
+
+    /// How the findings stand to the accepted ones.
+    fn sentence(&self) -> String {
+        let folder = self.folder.display();
+        if self.outcome.is_cut_short() {
+            return format!("Accepted findings, {folder}: not held, because not everything ran.");
+        }
+        let unknown = self.unknown();
+        if unknown.len() == self.accepted.len() {
+            return format!("Accepted findings: none in {folder}.");
+        }
+        let mut parts = vec![
+            gate::changes_sentence(&self.changes)
+                .unwrap_or_else(|| "everything is as accepted".to_owned()),
+        ];
+        if !self.stale.is_empty() {
+            parts.push(format!(
+                "changed since they were accepted: {}",
+                self.stale.join(", ")
+            ));
+        }
+        if !unknown.is_empty() {
+            parts.push(format!("nothing is accepted of {}", unknown.join(", ")));
+        }
+        if self.new > 0 {
+            parts.push(format!(
+                "{} findings of --full are not held: none were accepted",
+                self.new
+            ));
+        }
+        format!("Accepted findings, {folder}: {}.", parts.join("; "))
+    }
+
+    /// How the run stands to what was accepted.
+    fn standing(&self) -> Standing {
+        Standing {
+            cut_short: self.outcome.is_cut_short(),
+            missing: self.unknown().len(),
+            stale: self.stale.len(),
+            changes: self.changes.len(),
+            broken_promises: self.outcome.broken_promises().len(),
+        }
+    }
+
+    /// Writes the files of the scenes in which something changed.
+    fn accept(&self, files: &[PathBuf], reason: &str) -> Result<ExitCode, Failure> {
+        if let Err(refused) = self.standing().acceptance() {
+            terminal::say(&format!("error: {refused}"));
+            return Ok(ExitCode::from(match refused {
+                Refused::CutShort => COULD_NOT_RUN,
+                _ => NOT_MET,
+            }));
+        }
+        let mut written = 0;
+        for (index, scene) in self.outcome.question.scenes.iter().enumerate() {
+            let known = self.accepted[index].is_some() && !self.stale.contains(&scene.name);
+            let changed = self
+                .changes
+                .iter()
+                .any(|located| located.scene == scene.name);
+            if known && !changed && self.new == 0 {
+                continue;
+            }
+            let accepted = Accepted {
+                scene: scene.name.clone(),
+                hash: scene.hash(),
+                reason: reason.to_owned(),
+                versions: versions(),
+                rows: self.rows(index),
+            };
+            output::write_file(&files[index], gate::write(&accepted).as_bytes())?;
+            written += 1;
+        }
+        let folder = self.folder.display();
+        terminal::say(&format!(
+            "Accepted: {written} of {} files written below {folder}.",
+            files.len()
+        ));
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// What is accepted of a scene: what was found, and what was accepted before of runs that were left out.
+    fn rows(&self, index: usize) -> Vec<Row> {
+        let found: Vec<Row> = self.outcome.findings(index).iter().map(Row::from).collect();
+        let before = self.accepted[index].iter().flat_map(|a| &a.rows);
+        let left_out = |label: &str| -> Vec<Row> {
+            let own = before.clone().filter(|row| row.engine == label);
+            own.cloned().collect()
+        };
+        let mut rows = Vec::new();
+        for case in self.outcome.of_scene(index) {
+            let label = case.planned.column.label();
+            if case.judged.is_some() {
+                rows.extend(found.iter().filter(|row| row.engine == label).cloned());
+            } else {
+                rows.extend(left_out(&label));
+            }
+        }
+        rows
+    }
+
+    /// The exit code, and what to do about it.
+    fn decide(
+        &self,
+        printed: ExitCode,
+        arguments: &StabilityArguments,
+    ) -> Result<ExitCode, Failure> {
+        let standing = self.standing();
+        match standing.decision() {
+            Decision::Met => Ok(printed),
+            Decision::NotMet => {
+                terminal::say(
+                    "Not as accepted. If it is right: `carom stability --accept --reason \"...\"`.",
+                );
+                Ok(ExitCode::from(NOT_MET))
+            }
+            Decision::Incomplete if standing.cut_short => Err(Failure::Message(
+                "it was stopped before its end, so it is not held against what was accepted"
+                    .to_owned(),
+            )),
+            Decision::Incomplete => Err(self.missing(arguments)),
+        }
+    }
+
+    /// Which files are missing, and the command that makes them.
+    fn missing(&self, arguments: &StabilityArguments) -> Failure {
+        let unknown = self.unknown();
+        let whole_set = arguments.scenes.is_empty() && unknown.len() == self.accepted.len();
+        let mut command = "carom stability".to_owned();
+        if !whole_set {
+            command += &format!(" {}", unknown.join(" "));
+        }
+        if arguments.full {
+            command += " --full";
+        }
+        Failure::Message(format!(
+            "nothing is accepted of {} of {} scenes in {}; `{command} --accept --reason \"...\"` accepts what is found",
+            unknown.len(),
+            self.accepted.len(),
+            self.folder.display()
+        ))
+    }
+}
+
+/// What gave the findings.
+fn versions() -> Vec<(String, String)> {
+    let own = ("carom".to_owned(), env!("CARGO_PKG_VERSION").to_owned());
+    let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
+    let engines = ENGINES
+        .iter()
+        .map(|engine| (engine.id().to_owned(), engine.version()));
+    std::iter::once(own)
+        .chain(engines)
+        .chain([("target".to_owned(), target)])
+        .collect()
+}

@@ -1,0 +1,118 @@
+//! Verdicts, and by how much an accepted number may move before it counts as changed.
+
+use serde::Serialize;
+
+/// What one check says of one run. Ordered by how much it asks for attention: the worst of several is the largest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The engine cannot simulate the scene: nothing ran.
+    CannotExpress,
+    /// Within its bound.
+    Holds,
+    /// There is no single right answer to hold it against.
+    Indeterminate,
+    /// Off by a figure that nothing forbids: more than its step or its scalar explains, or another order of collisions that they do explain.
+    Drifts,
+    /// Against a law, or without an event that it must have.
+    Breaks,
+}
+
+impl Verdict {
+    /// Every verdict, from the worst to the one that says least.
+    pub const ALL: [Verdict; 5] = [
+        Verdict::Breaks,
+        Verdict::Drifts,
+        Verdict::Indeterminate,
+        Verdict::Holds,
+        Verdict::CannotExpress,
+    ];
+
+    /// Kebab-case name, as in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Verdict::CannotExpress => "cannot-express",
+            Verdict::Holds => "holds",
+            Verdict::Indeterminate => "indeterminate",
+            Verdict::Drifts => "drifts",
+            Verdict::Breaks => "breaks",
+        }
+    }
+
+    /// The verdict called `id`.
+    pub fn find(id: &str) -> Option<Verdict> {
+        Verdict::ALL.into_iter().find(|verdict| verdict.id() == id)
+    }
+}
+
+/// By how much a number may differ from the accepted one. Each kind says by its name how it measures.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tolerance {
+    /// Not at all: counts, and words.
+    None,
+    /// By this much, in the unit of the number.
+    Absolute(f64),
+    /// By this part of the larger of the two, or of `above` where both are smaller than that.
+    Relative {
+        /// The part.
+        part: f64,
+        /// Numbers below this size, in their unit, are held as if they had it.
+        above: f64,
+    },
+}
+
+impl Tolerance {
+    /// The largest difference between `a` and `b` that is no change, in their unit.
+    pub fn bound(self, a: f64, b: f64) -> f64 {
+        match self {
+            Tolerance::None => 0.0,
+            Tolerance::Absolute(bound) => bound,
+            Tolerance::Relative { part, above } => part * a.abs().max(b.abs()).max(above),
+        }
+    }
+
+    /// True if `a` and `b` are the same within it. Two infinities of one sign are, and two NaN.
+    pub fn holds(self, a: f64, b: f64) -> bool {
+        a == b || (a.is_nan() && b.is_nan()) || (a - b).abs() <= self.bound(a, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Tolerance, Verdict};
+
+    #[test]
+    fn every_verdict_is_found_by_its_name() {
+        for verdict in Verdict::ALL {
+            assert_eq!(Verdict::find(verdict.id()), Some(verdict));
+        }
+        assert_eq!(Verdict::find("passes"), None);
+    }
+
+    #[test]
+    fn a_tolerance_measures_as_its_name_says() {
+        let relative = Tolerance::Relative {
+            part: 1e-2,
+            above: 1.0,
+        };
+        for (tolerance, a, b, same) in [
+            (Tolerance::None, 3.0, 3.0, true),
+            (Tolerance::None, 3.0, 3.0 + 1e-15, false),
+            (Tolerance::Absolute(0.5), 1e9, 1e9 + 0.5, true),
+            (Tolerance::Absolute(0.5), 0.0, 0.6, false),
+            (relative, 100.0, 101.0, true),
+            (relative, 100.0, 101.1, false),
+            // below `above` it is absolute
+            (relative, 0.0, 9e-3, true),
+            (relative, 0.0, 1.1e-2, false),
+            (relative, f64::INFINITY, f64::INFINITY, true),
+            (relative, f64::NAN, f64::NAN, true),
+            (relative, f64::NAN, 0.0, false),
+            (Tolerance::Absolute(1.0), f64::INFINITY, 0.0, false),
+        ] {
+            assert_eq!(tolerance.holds(a, b), same, "{tolerance:?} {a} {b}");
+            assert_eq!(tolerance.holds(b, a), same, "{tolerance:?} {b} {a}");
+        }
+    }
+}

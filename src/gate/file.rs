@@ -1,0 +1,299 @@
+//! Accepted findings as a file that diffs well: what it is and why above, one finding a line below.
+
+use super::Row;
+use crate::finding::Verdict;
+use std::collections::BTreeSet;
+use thiserror::Error;
+
+/// The first line: what the file is, and the version of its format.
+const TITLE: &str = "# carom accepted findings, format 1";
+
+/// The columns.
+const HEADER: [&str; 5] = ["engine", "check", "subject", "value", "verdict"];
+
+/// The accepted findings of one scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Accepted {
+    /// Name of the scene.
+    pub scene: String,
+    /// Fingerprint of the resolved scene: another scene has other findings.
+    pub hash: String,
+    /// Why they were accepted.
+    pub reason: String,
+    /// What gave them: names and versions.
+    pub versions: Vec<(String, String)>,
+    /// The findings.
+    pub rows: Vec<Row>,
+}
+
+/// What is wrong with a file, and where.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("line {line}: {why}")]
+pub struct Malformed {
+    /// Counted from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub why: String,
+}
+
+/// The file of accepted findings.
+pub fn write(accepted: &Accepted) -> String {
+    let mut text = format!("{TITLE}\n");
+    let mut entry = |key: &str, value: &str| {
+        text += &format!("# {key}: {}\n", one_line(value));
+    };
+    entry("scene", &accepted.scene);
+    entry("hash", &accepted.hash);
+    entry("reason", &accepted.reason);
+    for (name, version) in &accepted.versions {
+        entry(&format!("version of {name}"), version);
+    }
+    text += &format!("{}\n", HEADER.join(","));
+    for row in &accepted.rows {
+        let verdict = row.verdict.map_or("", Verdict::id);
+        let value = row.value.map_or(String::new(), shortest);
+        let fields = [&row.engine, &row.check, &row.subject, &value, verdict];
+        text += &format!("{}\n", fields.map(quoted).join(","));
+    }
+    text
+}
+
+/// Reads a file of accepted findings; says what is wrong with it, and in which line.
+pub fn read(text: &str) -> Result<Accepted, Malformed> {
+    let wrong = |line: usize, why: String| Malformed {
+        line: line + 1,
+        why,
+    };
+    let mut lines = text.lines().enumerate().peekable();
+    match lines.next() {
+        Some((_, TITLE)) => {}
+        _ => return Err(wrong(0, format!("expected `{TITLE}`"))),
+    }
+    let mut accepted = Accepted::default();
+    while let Some((line, text)) = lines.next_if(|(_, text)| text.starts_with('#')) {
+        let entry = text.trim_start_matches("# ").split_once(": ");
+        let Some((key, value)) = entry else {
+            return Err(wrong(line, "expected `# KEY: VALUE`".to_owned()));
+        };
+        match key.strip_prefix("version of ") {
+            Some(name) => accepted.versions.push((name.to_owned(), value.to_owned())),
+            None => match key {
+                "scene" => accepted.scene = value.to_owned(),
+                "hash" => accepted.hash = value.to_owned(),
+                "reason" => accepted.reason = value.to_owned(),
+                other => return Err(wrong(line, format!("unknown entry `{other}`"))),
+            },
+        }
+    }
+    let (at, header) = lines.next().unwrap_or((0, ""));
+    if header != HEADER.join(",") {
+        return Err(wrong(at, format!("expected `{}`", HEADER.join(","))));
+    }
+    for (what, value) in [
+        ("scene", &accepted.scene),
+        ("hash", &accepted.hash),
+        ("reason", &accepted.reason),
+    ] {
+        if value.is_empty() {
+            return Err(wrong(at, format!("the lines above lack `# {what}: ...`")));
+        }
+    }
+    let mut known = BTreeSet::new();
+    for (line, text) in lines {
+        let row = row(text).map_err(|why| wrong(line, why))?;
+        if !known.insert(row.address().map(str::to_owned)) {
+            return Err(wrong(
+                line,
+                format!("{} is listed twice", row.address().join(" ").trim_end()),
+            ));
+        }
+        accepted.rows.push(row);
+    }
+    if !text.ends_with('\n') {
+        return Err(wrong(
+            text.lines().count().saturating_sub(1),
+            "the file ends within a line".to_owned(),
+        ));
+    }
+    Ok(accepted)
+}
+
+fn row(text: &str) -> Result<Row, String> {
+    let fields = fields(text)?;
+    let [engine, check, subject, value, verdict] = fields.as_slice() else {
+        return Err(format!(
+            "expected {} fields, not {}",
+            HEADER.len(),
+            fields.len()
+        ));
+    };
+    let value = match value.as_str() {
+        "" => None,
+        text => Some(
+            text.parse()
+                .map_err(|_| format!("`{text}` is not a number"))?,
+        ),
+    };
+    let verdict = match verdict.as_str() {
+        "" => None,
+        id => Some(Verdict::find(id).ok_or_else(|| {
+            let known = Verdict::ALL.map(Verdict::id).join(", ");
+            format!("`{id}` is no verdict; there are {known}")
+        })?),
+    };
+    if engine.is_empty() || check.is_empty() {
+        return Err("a finding needs an engine and a check".to_owned());
+    }
+    Ok(Row {
+        engine: engine.clone(),
+        check: check.clone(),
+        subject: subject.clone(),
+        value,
+        verdict,
+    })
+}
+
+/// The shortest decimal that reads back to the bit.
+fn shortest(x: f64) -> String {
+    format!("{x:?}")
+}
+
+/// A field, quoted where it has to be.
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"']) {
+        format!("\"{}\"", one_line(field).replace('"', "\"\""))
+    } else {
+        one_line(field)
+    }
+}
+
+/// Words without line breaks.
+fn one_line(words: &str) -> String {
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The fields of a line.
+fn fields(line: &str) -> Result<Vec<String>, String> {
+    let mut fields = vec![String::new()];
+    let mut within = false;
+    let mut chars = line.chars().peekable();
+    while let Some(c) = chars.next() {
+        let field = match fields.last_mut() {
+            Some(field) => field,
+            None => break,
+        };
+        match (c, within) {
+            ('"', true) if chars.peek() == Some(&'"') => {
+                chars.next();
+                field.push('"');
+            }
+            ('"', _) => within = !within,
+            (',', false) => fields.push(String::new()),
+            (other, _) => field.push(other),
+        }
+    }
+    if within {
+        return Err("a quote is not closed".to_owned());
+    }
+    Ok(fields)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::{Accepted, read, write};
+    use crate::finding::Verdict;
+    use crate::gate::Row;
+
+    fn accepted() -> Accepted {
+        let row = |engine: &str, value, verdict| Row {
+            engine: engine.to_owned(),
+            check: "overlap".to_owned(),
+            subject: "1-2".to_owned(),
+            value,
+            verdict,
+        };
+        Accepted {
+            scene: "cradle".to_owned(),
+            hash: "0123".to_owned(),
+            reason: "first: as measured".to_owned(),
+            versions: vec![("rapier-f64".to_owned(), "some name 0.36.1".to_owned())],
+            rows: vec![
+                row("exact", Some(0.1 + 0.2), Some(Verdict::Holds)),
+                row("a | b, \"c\"", Some(5e-324), Some(Verdict::CannotExpress)),
+                row("stepper dt=1e-3", None, None),
+                row("rapier-f64", Some(f64::INFINITY), Some(Verdict::Breaks)),
+            ],
+        }
+    }
+
+    #[test]
+    fn what_is_written_reads_back_to_the_bit() {
+        let text = write(&accepted());
+        assert_eq!(read(&text).unwrap(), accepted());
+        assert_eq!(write(&read(&text).unwrap()), text);
+    }
+
+    #[test]
+    fn a_malformed_file_names_its_line() {
+        let good = write(&accepted());
+        let header = good.lines().position(|l| l.starts_with("engine,")).unwrap();
+        for (old, new, line, why) in [
+            ("format 1", "format 2", 1, "expected `# carom"),
+            ("# hash: 0123\n", "# hash\n", 3, "KEY: VALUE"),
+            ("# hash:", "# hush:", 3, "unknown entry `hush`"),
+            (
+                "# reason: first: as measured\n",
+                "",
+                header,
+                "lack `# reason",
+            ),
+            (
+                "engine,check",
+                "engine,cheque",
+                header + 1,
+                "expected `engine",
+            ),
+            ("holds", "passes", header + 2, "no verdict"),
+            ("5e-324", "five", header + 3, "not a number"),
+            ("1-2,,\n", "1-2,,,\n", header + 4, "5 fields, not 6"),
+            ("\"a | b", "a | b", header + 3, "quote"),
+            (
+                "rapier-f64,overlap",
+                "exact,overlap",
+                header + 5,
+                "listed twice",
+            ),
+            (
+                "rapier-f64,overlap",
+                ",overlap",
+                header + 5,
+                "needs an engine",
+            ),
+            (
+                "inf,breaks\n",
+                "inf,breaks",
+                header + 5,
+                "ends within a line",
+            ),
+        ] {
+            assert_eq!(good.matches(old).count(), 1, "{old}");
+            let error = read(&good.replace(old, new)).unwrap_err();
+            assert_eq!(error.line, line, "{new}: {error}");
+            assert!(error.to_string().contains(why), "{new}: {error}");
+        }
+    }
+
+    #[test]
+    fn half_a_file_is_no_file() {
+        let text = write(&accepted());
+        let whole_lines: Vec<usize> = text.match_indices('\n').map(|(at, _)| at + 1).collect();
+        let header_ends = whole_lines[5];
+        for cut in 0..text.len() {
+            let half = read(&text[..cut]);
+            // a file cut between two lines below its heading is a shorter file: its missing findings appear in the diff
+            let is_shorter = cut >= header_ends && whole_lines.contains(&cut);
+            assert_eq!(half.is_ok(), is_shorter, "cut at {cut}: {half:?}");
+        }
+    }
+}

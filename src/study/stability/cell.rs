@@ -1,0 +1,345 @@
+//! One cell: its runs, its evidence, its verdict.
+
+use super::images::{is_reversible, mirror, mirrored, relabelled, reversed};
+use super::oracle::{Allowance, Oracle};
+use super::plan::{MOST_EVENTS, Planned};
+use super::rules::{Evidence, Judgement, Place, RULES, Rule};
+use crate::compare::Comparison;
+use crate::engine::Role;
+use crate::finding::{Figure, Finding, Series, Style, Verdict};
+use crate::math::{Vec3, worse};
+use crate::physics::State;
+use crate::scene::Scene;
+use crate::study::compare::table_picture;
+use crate::study::matrix::{Cell, Ran, Runner};
+use crate::trace::{Ending, Record, Trace};
+
+/// The finding that is the verdict of a run.
+pub const VERDICT: &str = "verdict";
+
+/// The finding that says how and when a run ended.
+const ENDING: &str = "ending";
+
+/// Samples of a stepping engine in a run, besides its events.
+const SAMPLES: f64 = 256.0;
+
+/// What the rules say of one cell.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The worst of all verdicts.
+    pub verdict: Verdict,
+    /// Index in [`RULES`] of the rule that speaks for it; `None` where nothing ran.
+    pub speaker: Option<usize>,
+    /// The verdict in one sentence; empty where everything holds.
+    pub why: String,
+    /// What each rule says, by its index in [`RULES`].
+    pub judgements: Vec<(usize, Judgement)>,
+    /// How the run ended, and when, s; `None` where nothing ran.
+    pub ending: Option<(&'static str, f64)>,
+    /// Rounding of the engine's scalar.
+    pub ulp: f64,
+    /// Indices in [`RULES`] of those whose invariant the engine promises.
+    pub promised: Vec<usize>,
+    /// Paths on the table, with the place where it broke.
+    pub picture: Option<Figure>,
+}
+
+impl Judged {
+    /// What the speaking rule says.
+    pub fn spoken(&self) -> Option<(&'static Rule, &Judgement)> {
+        let speaker = self.speaker?;
+        let (_, judgement) = self.judgements.iter().find(|(rule, _)| *rule == speaker)?;
+        Some((&RULES[speaker], judgement))
+    }
+
+    /// Rules that are broken although the engine promises their invariant.
+    pub fn broken_promises(&self) -> impl Iterator<Item = (&'static Rule, &Judgement)> {
+        let broken = |(rule, judgement): &&(usize, Judgement)| {
+            self.promised.contains(rule) && judgement.verdict == Some(Verdict::Breaks)
+        };
+        self.judgements
+            .iter()
+            .filter(broken)
+            .map(|(rule, judgement)| (&RULES[*rule], judgement))
+    }
+
+    /// Every figure and verdict, with its address. A figure that holds and is nothing within its tolerance says no more than the verdict of the
+    /// run and is left out.
+    pub fn findings(&self, scene: &str, engine: &str) -> Vec<Finding> {
+        let finding = |metric, value, unit, verdict| Finding {
+            scene: scene.to_owned(),
+            engine: engine.to_owned(),
+            metric,
+            subject: String::new(),
+            value,
+            unit,
+            verdict,
+        };
+        let mut findings = vec![finding(VERDICT, None, "", Some(self.verdict))];
+        if let Some((ending, time)) = self.ending {
+            findings.push(Finding {
+                subject: ending.to_owned(),
+                ..finding(ENDING, Some(time), "s", None)
+            });
+        }
+        for (rule, judgement) in &self.judgements {
+            let rule = &RULES[*rule];
+            let nothing = |value: f64| rule.tolerance(self.ulp).holds(value, 0.0);
+            let says_nothing = judgement.value.is_none_or(nothing);
+            if says_nothing && judgement.verdict == Some(Verdict::Holds) {
+                continue;
+            }
+            findings.push(finding(
+                rule.id,
+                judgement.value,
+                rule.unit,
+                judgement.verdict,
+            ));
+        }
+        findings
+    }
+
+    fn refused(why: String) -> Self {
+        Judged {
+            verdict: Verdict::CannotExpress,
+            speaker: None,
+            why,
+            judgements: Vec::new(),
+            ending: None,
+            ulp: f64::EPSILON,
+            promised: Vec::new(),
+            picture: None,
+        }
+    }
+}
+
+/// Runs a cell and its images and judges them.
+pub fn run(
+    scene: &Scene,
+    planned: &Planned,
+    oracle: Option<&Oracle>,
+    picture: bool,
+    runner: Runner<'_>,
+) -> Judged {
+    let steps = super::plan::step_of(&planned.column).is_some();
+    let events = planned.work <= MOST_EVENTS;
+    let record = match (events, steps) {
+        (false, _) => Record::Final,
+        (true, false) => Record::Events,
+        (true, true) => Record::Every(scene.duration / SAMPLES),
+    };
+    let column = &planned.column;
+    let ran = match runner.run(scene, column, record) {
+        Ok(ran) => ran,
+        Err(refusal) => return Judged::refused(refusal.to_string()),
+    };
+    // a run that could not begin: its numbers are beyond the scalar
+    if let Ending::NotFinite(spot) = &ran.trace.ending
+        && spot.time == 0.0
+    {
+        return Judged::refused(spot.why.clone());
+    }
+    let short = if events {
+        Record::Events
+    } else {
+        Record::Final
+    };
+    let everything: Vec<usize> = (0..scene.balls.len()).collect();
+    let backward: Vec<usize> = everything.iter().rev().copied().collect();
+    let image = |image: &Scene, map: fn(&State) -> State, order: &[usize]| {
+        apart(
+            scene,
+            &ran.trace,
+            runner.run(image, column, short),
+            map,
+            order,
+        )
+    };
+    let mirror = image(&mirrored(scene), mirror, &everything);
+    let relabelled = (scene.balls.len() > 1)
+        .then(|| image(&relabelled(scene), |state| *state, &backward))
+        .flatten();
+    let reversal = (is_reversible(scene) && ran.trace.ending == Ending::Duration)
+        .then(|| reversed(scene, &ran.trace))
+        .flatten()
+        .and_then(|back| from_start(scene, runner.run(&back, column, short)));
+    let promises = column.engine.promises(scene, &column.setting);
+    let evidence = Evidence {
+        scene,
+        promises: &promises,
+        allowance: allowance(&ran),
+        oracle,
+        comparison: comparison(scene, &ran, oracle, events),
+        trace: &ran.trace,
+        events,
+        mirror,
+        relabelled,
+        reversal,
+    };
+    let mut judged = judge(&evidence);
+    let own_step = !matches!(planned.role, super::plan::Role::Step(..));
+    if picture && own_step && judged.verdict == Verdict::Breaks && events {
+        judged.picture = Some(draw(scene, &column.label(), &ran.trace, &judged));
+    }
+    judged
+}
+
+/// Lets every rule judge, and the worst verdict speak.
+pub fn judge(evidence: &Evidence<'_>) -> Judged {
+    let rules = RULES.iter().enumerate();
+    let judgements: Vec<(usize, Judgement)> = rules
+        .filter_map(|(index, rule)| Some((index, (rule.judge)(evidence)?)))
+        .collect();
+    let mut speaker: Option<(usize, Verdict)> = None;
+    for (index, judgement) in &judgements {
+        let Some(verdict) = judgement.verdict else {
+            continue;
+        };
+        if speaker.is_none_or(|(_, worst)| verdict > worst) {
+            speaker = Some((*index, verdict));
+        }
+    }
+    let promised = RULES.iter().enumerate().filter(|(_, rule)| {
+        rule.invariant
+            .is_some_and(|invariant| evidence.promises(invariant))
+    });
+    let mut judged = Judged {
+        verdict: speaker.map_or(Verdict::Holds, |(_, verdict)| verdict),
+        speaker: speaker.map(|(index, _)| index),
+        why: String::new(),
+        promised: promised.map(|(index, _)| index).collect(),
+        judgements,
+        ending: Some((evidence.trace.ending.id(), evidence.trace.end_time)),
+        ulp: evidence.allowance.ulp,
+        picture: None,
+    };
+    judged.why = judged
+        .spoken()
+        .map_or(String::new(), |(_, j)| j.why.clone());
+    judged
+}
+
+/// What an error of a run may come from. The scalar is the one that the engine names on its sheet.
+fn allowance(ran: &Ran) -> Allowance {
+    let scalar = ran.sheet.iter().find(|p| p.role == Role::Precision);
+    let single = scalar.is_some_and(|p| p.value == "f32");
+    Allowance {
+        dt: ran.trace.provenance.resolution,
+        steps: ran.trace.counters.get("steps").copied().unwrap_or(0),
+        ulp: if single {
+            f64::from(f32::EPSILON)
+        } else {
+            f64::EPSILON
+        },
+    }
+}
+
+/// The run against the exact one, unless it is that one itself.
+fn comparison<'a>(
+    scene: &'a Scene,
+    ran: &'a Ran,
+    oracle: Option<&'a Oracle>,
+    events: bool,
+) -> Option<Comparison<'a>> {
+    let oracle = oracle?;
+    let (ours, theirs) = (&ran.trace.provenance, &oracle.trace.provenance);
+    let itself = ours.engine == theirs.engine
+        && ours.parameters.get("precision").and_then(|p| p.as_str()) == Some("f64");
+    (events && !itself)
+        .then(|| Comparison::new(scene, &ran.trace, &oracle.trace).up_to(oracle.until))
+}
+
+/// Largest distance of a ball's end from where its image ends, R. `order`: whose image each ball of the image is.
+///
+/// Infinite where the image ends otherwise, or another ball leaves play; `None` where either run has no end.
+fn apart(
+    scene: &Scene,
+    trace: &Trace,
+    image: Cell,
+    map: fn(&State) -> State,
+    order: &[usize],
+) -> Option<f64> {
+    let Ok(Ran { trace: image, .. }) = image else {
+        return Some(f64::INFINITY);
+    };
+    let broken = |trace: &Trace| matches!(trace.ending, Ending::NotFinite(_) | Ending::Cancelled);
+    if broken(trace) || broken(&image) {
+        return None;
+    }
+    let complete = (trace.ending.is_complete(), image.ending.is_complete());
+    if complete.0 != complete.1 || (!complete.0 && trace.ending.id() != image.ending.id()) {
+        return Some(f64::INFINITY);
+    }
+    let ends = |trace: &Trace| -> Vec<Option<Vec3>> {
+        let states = trace.final_states();
+        states.iter().map(|s| s.map(|s| s.position)).collect()
+    };
+    let (ours, theirs) = if complete.0 {
+        let mapped = image
+            .final_states()
+            .iter()
+            .map(|s| s.map(|s| map(&s).position))
+            .collect::<Vec<_>>();
+        (ends(trace), mapped)
+    } else {
+        // both ended early: where both still know
+        let end = trace.end_time.min(image.end_time);
+        let at = |trace: &Trace, map: fn(&State) -> State| -> Vec<Option<Vec3>> {
+            (0..order.len())
+                .map(|ball| trace.in_play_at(ball, end).map(|s| map(&s).position))
+                .collect()
+        };
+        (at(trace, |s| *s), at(&image, map))
+    };
+    let distance = |(at, &ball): (usize, &usize)| match (ours[ball], theirs[at]) {
+        (Some(p), Some(q)) => (p - q).norm(),
+        (None, None) => 0.0,
+        _ => f64::INFINITY,
+    };
+    let worst = order.iter().enumerate().map(distance).fold(0.0, worse);
+    Some(worst / scene.smallest_radius())
+}
+
+/// Largest distance of a ball from its start after running back, R.
+fn from_start(scene: &Scene, back: Cell) -> Option<f64> {
+    let Ok(Ran { trace, .. }) = back else {
+        return None;
+    };
+    if !trace.ending.is_complete() {
+        return None;
+    }
+    let ends = trace.final_states();
+    let distance = |(ball, end): (&crate::scene::Ball, &Option<State>)| {
+        end.map_or(f64::INFINITY, |end| {
+            (end.position - ball.state.position).norm()
+        })
+    };
+    let worst = scene.balls.iter().zip(&ends).map(distance).fold(0.0, worse);
+    Some(worst / scene.smallest_radius())
+}
+
+/// Paths on the table, and points where it broke.
+fn draw(scene: &Scene, label: &str, trace: &Trace, judged: &Judged) -> Figure {
+    let id = format!("{}-{label}", scene.name).replace([' ', '=', ':', '.'], "-");
+    let mut figure = table_picture(scene, trace, &id);
+    figure.title = format!("{label}: {}", judged.why);
+    figure.caption = "Circles: where the balls ended. Points: where it broke.".to_owned();
+    let place = judged.spoken().and_then(|(_, j)| j.place.as_ref());
+    for point in place.map_or(Vec::new(), |place| points(trace, place)) {
+        figure.series.push(Series {
+            name: "here".to_owned(),
+            points: vec![point],
+            style: Style::Points,
+        });
+    }
+    figure
+}
+
+fn points(trace: &Trace, place: &Place) -> Vec<[f64; 2]> {
+    let at = |&ball: &usize| {
+        let state = trace.paths.get(ball)?.state_at(place.time)?;
+        let point = [state.position.x, state.position.y];
+        point.iter().all(|x| x.is_finite()).then_some(point)
+    };
+    place.balls.iter().filter_map(at).collect()
+}

@@ -1,0 +1,112 @@
+//! The document of a matrix of hard cases: what the terminal shows, and the whole page.
+
+use super::{Outcome, tables, words};
+use crate::finding::{Block, Document};
+use crate::study::compare::{describe_ending, describe_scene};
+
+/// No more scenes than this are shown run by run without a folder for their pages.
+const FEW: usize = 3;
+
+/// What the terminal shows. `changed`: whether a cell of a scene differs from what was accepted.
+pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
+    let mut blocks = Vec::new();
+    if outcome.is_cut_short() {
+        blocks.push(Block::Text(format!(
+            "Cancelled: {} of {} runs are done, and what follows concludes from them.",
+            outcome.done(),
+            outcome.asked
+        )));
+    }
+    let broken = outcome.broken_promises();
+    if !broken.is_empty() {
+        blocks.push(Block::Text("Promised, and broken:".to_owned()));
+        blocks.push(Block::List(broken));
+    }
+    blocks.push(Block::Table(tables::matrix(outcome, changed)));
+    blocks.extend(tables::steps(outcome).map(Block::Table));
+    blocks.extend(words::left_out(outcome).map(Block::Text));
+    if outcome.question.scenes.len() <= FEW {
+        for scene in 0..outcome.question.scenes.len() {
+            blocks.extend(about(outcome, scene));
+            blocks.push(Block::Table(tables::scene(outcome, scene)));
+        }
+    }
+    Document {
+        id: "index".to_owned(),
+        title: "Hard cases".to_owned(),
+        lead: words::sentence(outcome),
+        blocks,
+        pages: Vec::new(),
+    }
+}
+
+/// The whole page: also the rules, and a page a scene with its pictures.
+pub fn page(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
+    let mut document = summary(outcome, changed);
+    document.blocks.push(Block::Table(tables::rules()));
+    document
+        .blocks
+        .extend(tables::absent_cells(outcome).map(Block::Table));
+    document
+        .blocks
+        .push(Block::Command("carom stability".to_owned()));
+    document.pages = (0..outcome.question.scenes.len())
+        .map(|scene| of_scene(outcome, scene))
+        .collect();
+    document
+}
+
+/// What a scene is, and what the exact engine says of it.
+fn about(outcome: &Outcome, index: usize) -> Vec<Block> {
+    let scene = &outcome.question.scenes[index];
+    let mut blocks = vec![
+        Block::Heading(scene.name.clone()),
+        Block::Text(
+            scene
+                .description
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+        ),
+        Block::Text(describe_scene(scene)),
+    ];
+    blocks.extend(outcome.oracles[index].as_ref().map(|oracle| {
+        let (certain, all) = oracle.certain;
+        Block::Text(format!(
+            "{}; right about {certain} of {all} events; growth {}.",
+            describe_ending(&oracle.trace),
+            super::rules::short(oracle.grown)
+        ))
+    }));
+    blocks
+}
+
+fn of_scene(outcome: &Outcome, index: usize) -> Document {
+    let scene = &outcome.question.scenes[index];
+    let mut blocks = about(outcome, index);
+    // the title says it
+    blocks.remove(0);
+    blocks.push(Block::Table(tables::scene(outcome, index)));
+    let pictures = outcome
+        .of_scene(index)
+        .filter_map(|case| case.judged.as_ref()?.picture.clone());
+    let pictures: Vec<Block> = pictures.map(Block::Figure).collect();
+    if !pictures.is_empty() {
+        blocks.push(Block::Heading("Where it breaks".to_owned()));
+        blocks.push(Block::Text(
+            "One picture for each preset and each setting that the scene asks for; steps have none."
+                .to_owned(),
+        ));
+        blocks.extend(pictures);
+    }
+    blocks.push(Block::Heading("Figures".to_owned()));
+    blocks.push(Block::Table(tables::figures(outcome, index)));
+    blocks.push(Block::Command(format!("carom stability {}", scene.name)));
+    Document {
+        id: scene.name.clone(),
+        title: scene.name.clone(),
+        lead: String::new(),
+        blocks,
+        pages: Vec::new(),
+    }
+}

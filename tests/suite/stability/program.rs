@@ -1,0 +1,253 @@
+//! `carom stability` as CI meets it: exit codes, files, formats.
+
+use assert_cmd::cargo::cargo_bin;
+use carom::gate;
+use carom::report::FORMATS;
+use carom::scene::catalogue;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+/// A scene in which every engine takes a moment.
+const SCENE: &str = "thin-cut-1e-2";
+
+fn stability(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(cargo_bin("carom"));
+    command.arg("stability").args(arguments);
+    command.arg("--accepted").arg(folder);
+    command
+}
+
+fn accept(folder: &Path, scenes: &[&str]) {
+    let arguments = [scenes, &["--accept", "--reason", "for a test"]].concat();
+    let output = stability(folder, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn what_was_accepted_is_held_in_both_directions() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    accept(folder, &[SCENE]);
+    let file = folder.join(format!("{SCENE}.csv"));
+    let good = fs::read_to_string(&file).unwrap();
+    assert!(good.contains("# reason: for a test\n"), "{good}");
+    let rows = gate::read(&good).unwrap().rows;
+    let verdicts = rows.iter().filter(|row| row.check == "verdict");
+    assert!(verdicts.count() > 10, "{good}");
+    let exact = ["--engines", "exact"];
+    let held = |text: &str| {
+        fs::write(&file, text).unwrap();
+        stability(folder, &[&[SCENE], &exact[..]].concat())
+    };
+    let end = good
+        .lines()
+        .find(|l| l.starts_with("exact,ending,"))
+        .unwrap();
+    for (old, new, code, words) in [
+        ("", "", 0, "everything is as accepted"),
+        // an accepted break is an expectation, and an engine that does better does not meet it
+        (
+            "exact,verdict,,,holds",
+            "exact,verdict,,,breaks",
+            1,
+            "better",
+        ),
+        ("exact,verdict,,,holds\n", "", 1, "appeared"),
+        (end, "exact,ending,rest,1.0,", 1, "vanished"),
+        (
+            "# hash: ",
+            "# hash: f",
+            1,
+            "changed since they were accepted",
+        ),
+        (
+            "exact,verdict,,,holds",
+            "exact,verdict,,,passes",
+            2,
+            ".csv, line ",
+        ),
+        (
+            "exact,verdict,,,holds",
+            "exact,verdict,,holds",
+            2,
+            "--accept --reason",
+        ),
+    ] {
+        let output = held(&good.replacen(old, new, 1));
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{new}: {said}");
+        assert!(said.contains(words), "{new}: {said}");
+    }
+}
+
+#[test]
+fn nothing_is_accepted_without_a_reason_and_what_is_missing_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().join("accepted");
+    let exact = ["--engines", "exact"];
+    for (arguments, words) in [
+        (vec![SCENE, "--accept"], "--reason"),
+        (vec![SCENE, "--accept", "--reason", "  "], "is empty"),
+        (vec![SCENE, "--reason", "why"], "--accept"),
+        // whole files are written, so every engine must have run
+        (
+            vec![SCENE, "--accept", "--reason", "why", "--engines", "exact"],
+            "cannot be used",
+        ),
+        (
+            [&[SCENE], &exact[..]].concat(),
+            "carom stability thin-cut-1e-2 --accept --reason",
+        ),
+        (vec![SCENE, SCENE, "--engines", "exact"], "named twice"),
+        (vec!["no-such-scene"], "no-such-scene"),
+    ] {
+        let output = stability(&folder, &arguments);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(words), "{arguments:?}: {said}");
+        assert!(!folder.exists(), "{arguments:?} wrote a file");
+    }
+}
+
+#[test]
+fn a_kill_while_accepting_leaves_whole_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let scenes = ["slide", "head-on", SCENE];
+    accept(folder, &scenes);
+    let whole: Vec<String> = scenes
+        .map(|s| fs::read_to_string(folder.join(format!("{s}.csv"))).unwrap())
+        .into();
+    let mut killed = 0;
+    for attempt in 0..8 {
+        // every file differs from what is found, so every file is written anew
+        for (scene, text) in scenes.iter().zip(&whole) {
+            fs::write(
+                folder.join(format!("{scene}.csv")),
+                text.replacen("holds", "breaks", 1),
+            )
+            .unwrap();
+        }
+        let arguments = [&scenes[..], &["--accept", "--reason", "again"]].concat();
+        let mut child = command(folder, &arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        // the first word of the document is printed just before the files are written
+        let mut first = [0; 1];
+        std::io::Read::read_exact(child.stdout.as_mut().unwrap(), &mut first).unwrap();
+        std::thread::sleep(Duration::from_micros(400 * attempt));
+        child.kill().unwrap();
+        killed += usize::from(!child.wait().unwrap().success());
+        for scene in scenes {
+            let text = fs::read_to_string(folder.join(format!("{scene}.csv"))).unwrap();
+            let read = gate::read(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
+            assert!(read.rows.len() > 20, "{scene}: {}", read.rows.len());
+        }
+    }
+    assert!(killed > 0, "no attempt was killed before its end");
+}
+
+#[test]
+fn every_format_prints_the_matrix_and_a_terminal_is_wide_enough() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("page");
+    accept(folder.path(), &[SCENE, "through-a-ball"]);
+    for format in FORMATS {
+        let arguments = [
+            SCENE,
+            "through-a-ball",
+            "--engines",
+            "exact,stepper",
+            "--format",
+            format.id,
+            "--out",
+        ];
+        let output = stability(
+            folder.path(),
+            &[&arguments[..], &[out.to_str().unwrap()]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let shown = text(&output.stdout);
+        for words in [
+            "breaks",
+            "holds",
+            "through-a-ball",
+            "everything is as accepted",
+        ] {
+            let tables_alone = format.id == "csv" && words.starts_with("everything");
+            assert!(
+                tables_alone || shown.contains(words),
+                "{}: {shown}",
+                format.id
+            );
+        }
+        match format.id {
+            "text" => assert!(
+                shown.lines().all(|line| line.chars().count() <= 100),
+                "{shown}"
+            ),
+            "json" => assert!(
+                serde_json::from_str::<serde_json::Value>(&shown)
+                    .unwrap()
+                    .is_object()
+            ),
+            _ => {}
+        }
+    }
+    let page = fs::read_to_string(out.join("pages/through-a-ball.html")).unwrap();
+    assert!(
+        page.contains("<svg") && page.contains("misses cue-1"),
+        "no picture of what breaks"
+    );
+    assert!(
+        fs::read_to_string(out.join("index.html"))
+            .unwrap()
+            .contains("pages/through-a-ball.html")
+    );
+}
+
+#[test]
+fn every_hard_scene_has_an_accepted_file_and_no_other_is_there() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("validation/hard");
+    let mut files: Vec<String> = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    files.sort();
+    let mut expected = Vec::new();
+    for scene in catalogue::set("hard").unwrap() {
+        if scene.sets.iter().any(|set| set == "full") {
+            continue;
+        }
+        let text = fs::read_to_string(folder.join(format!("{}.csv", scene.name))).unwrap();
+        let accepted = gate::read(&text).unwrap_or_else(|e| panic!("{}: {e}", scene.name));
+        assert_eq!(accepted.scene, scene.name);
+        assert_eq!(
+            accepted.hash,
+            scene.hash(),
+            "{} has changed: accept it anew",
+            scene.name
+        );
+        assert_eq!(
+            gate::write(&accepted),
+            text,
+            "{} was edited by hand",
+            scene.name
+        );
+        expected.push(format!("{}.csv", scene.name));
+    }
+    expected.sort();
+    assert_eq!(files, expected);
+}
