@@ -23,29 +23,24 @@ pub struct Stepping<'a> {
     pub settings: Settings,
     /// The balls before the first step.
     pub balls: Balls,
-    version: String,
+    provenance: Provenance,
 }
 
 impl<'a> Stepping<'a> {
     pub fn new(scene: &'a Scene, settings: Settings, version: String) -> Self {
-        let balls = Balls::new(scene, &settings);
         Stepping {
             scene,
             settings,
-            version,
-            balls,
-        }
-    }
-
-    fn provenance(&self) -> Provenance {
-        Provenance {
-            engine: "stepper".to_owned(),
-            version: self.version.clone(),
-            parameters: parameters(&self.settings),
-            scene: self.scene.name.clone(),
-            scene_hash: self.scene.hash(),
-            resolution: self.settings.dt,
-            rest_speed: 0.0,
+            balls: Balls::new(scene, &settings),
+            provenance: Provenance {
+                engine: "stepper".to_owned(),
+                version,
+                parameters: parameters(&settings),
+                scene: scene.name.clone(),
+                scene_hash: scene.hash(),
+                resolution: settings.dt,
+                rest_speed: 0.0,
+            },
         }
     }
 }
@@ -59,8 +54,9 @@ impl Run for Stepping<'_> {
         sheet::sheet(self.scene, &self.settings)
     }
 
-    fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
-        let recorder = Recorder::new(self.scene, self.provenance(), record, &self.balls.states());
+    fn simulate(mut self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
+        let provenance = std::mem::take(&mut self.provenance);
+        let recorder = Recorder::new(self.scene, provenance, record, &self.balls.states());
         let (gravity, dt) = (self.scene.gravity, self.settings.dt);
         match self.scene.effects.cloth {
             None => Loop::new(&self, NoCloth, recorder).run(limits),
