@@ -85,12 +85,12 @@ impl Near {
         if self.listed.len() != self.now.len() {
             return true;
         }
-        let mut far = false;
+        let mut within = true;
         for (now, listed) in self.now.iter().zip(&self.listed) {
-            // a NaN is far
-            far |= !(apart(*now, *listed) <= self.reach);
+            // a NaN is not within
+            within &= apart(*now, *listed) <= self.reach;
         }
-        far
+        !within
     }
 
     #[cold]

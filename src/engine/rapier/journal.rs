@@ -73,6 +73,10 @@ pub(super) struct Journal<'a> {
     in_play: Vec<bool>,
     left: Vec<usize>,
     balls: Vec<BallStep>,
+    /// Whether something was written in `balls` since all of it was as at the start of a step.
+    used: bool,
+    /// Where no centre is beyond where the cushions let it be, whatever its radius: the least and the greatest x, those of y, length.
+    inner: [[f64; 2]; 2],
     /// Kinetic energy of every ball at the start of the step, mass * length^2/s^2.
     energies: Vec<f64>,
     /// Pairs that may overlap; `None` where distances cannot be squared.
@@ -137,6 +141,8 @@ impl<'a> Journal<'a> {
             in_play: vec![true; initial.len()],
             left: Vec::new(),
             balls: vec![BallStep::default(); initial.len()],
+            used: true,
+            inner: inner(scene),
             energies: (initial.iter().enumerate())
                 .map(|(ball, state)| energy(scene, ball, state))
                 .collect(),
@@ -249,7 +255,10 @@ impl<'a> Journal<'a> {
         pushes: &[Push],
         presses: &[f64],
     ) {
-        for (index, ball) in self.balls.iter_mut().enumerate() {
+        // in most steps nothing was written of any ball
+        let used = std::mem::replace(&mut self.used, !pushes.is_empty());
+        let stale = if used { &mut self.balls[..] } else { &mut [] };
+        for (index, ball) in stale.iter_mut().enumerate() {
             *ball = BallStep {
                 group: index,
                 ..BallStep::default()
@@ -351,6 +360,7 @@ impl<'a> Journal<'a> {
 
     /// The near side of the next thing that happens to a ball in this step.
     fn near(&mut self, span: Span, before: &[State], after: &[State], ball: usize) -> State {
+        self.used = true;
         let Motion { velocity, spin } = match self.balls[ball].motion {
             Some(motion) => motion,
             None => {
@@ -491,8 +501,13 @@ impl<'a> Journal<'a> {
             self.overlaps(span.end, after);
         }
         if let (Some(_), Some(table)) = (self.scene.effects.cushion, self.scene.table) {
-            let balls = after.iter().enumerate();
-            for (index, state) in balls.filter(|(index, _)| self.in_play[*index]) {
+            let [[x0, x1], [y0, y1]] = self.inner;
+            for (index, state) in after.iter().enumerate() {
+                let (x, y) = (state.position.x, state.position.y);
+                let inside = (x >= x0) & (x <= x1) & (y >= y0) & (y <= y1);
+                if inside || !self.in_play[index] {
+                    continue;
+                }
                 for side in Side::ALL {
                     let reach = table.reach(side, self.scene.balls[index].radius);
                     let beyond = f64::from(side.sign()) * (state.position[side.axis()] - reach);
@@ -606,6 +621,26 @@ impl<'a> Journal<'a> {
         let depth = reach - (after[a].position - after[b].position).norm();
         self.recorder.overlap(time, depth, a, b);
     }
+}
+
+/// Where the cushions let every ball of a scene be: the least and the greatest x, and those of y, length.
+fn inner(scene: &Scene) -> [[f64; 2]; 2] {
+    let mut inner = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    let Some(table) = scene.table else {
+        return inner;
+    };
+    for ball in &scene.balls {
+        for side in Side::ALL {
+            let reach = table.reach(side, ball.radius);
+            let [least, greatest] = &mut inner[side.axis()];
+            if side.sign() < 0 {
+                *least = least.max(reach);
+            } else {
+                *greatest = greatest.min(reach);
+            }
+        }
+    }
+    inner
 }
 
 /// Kinetic energy of a ball of the scene, mass * length^2/s^2.

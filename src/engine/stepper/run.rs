@@ -410,7 +410,8 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let outward = f64::from(side.sign());
         let beyond = outward * (self.balls.position(i)[side.axis()] - limit);
         // what is not a number is past no wall
-        if !(beyond > 0.0) {
+        let past = beyond > 0.0;
+        if !past {
             return;
         }
         let time = step as f64 * self.settings.dt;
