@@ -1,16 +1,21 @@
-//! What the models cost, side by side: whole shots with criterion, and the ratios that the README quotes, measured in one
+//! What the models cost, side by side, with criterion: at rest, in the middle of a break, over a whole shot, and by what is
+//! recorded; and the ratios that the README quotes, measured in one
 //! run so that a slow moment of the machine hits both sides.
 
 #![allow(missing_docs, clippy::expect_used, clippy::print_stdout)]
 
-use carom::engine::{self, Limits, Setting};
-use carom::scene::{Scene, catalogue};
-use carom::trace::{Record, Trace};
-use criterion::{BatchSize, Criterion};
+use carom::engine::Limits;
+use carom::scene::Scene;
+use carom::trace::Record;
+use criterion::{BatchSize, Criterion, SamplingMode};
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-/// Engines and settings on the report's break.
+mod runs;
+
+use runs::{at_rest, mid_break, prepared, scene, shot, step_time};
+
+/// Engines and settings. In none of them a ball sleeps.
 const COLUMNS: [(&str, &[&str]); 4] = [
     ("exact", &[]),
     ("stepper", &["contact=approaching-only"]),
@@ -18,60 +23,118 @@ const COLUMNS: [(&str, &[&str]); 4] = [
     ("rapier-f32", &[]),
 ];
 
+/// Numbers of balls.
+const SIZES: [usize; 4] = [2, 16, 100, 1000];
+
+/// What is simulated of a rest, and of the middle of a break, s.
+const PART: f64 = 0.1;
+
+/// What rapier simulates of a shot of more than 100 balls, of which a whole one would take it minutes, s.
+const BOUND: f64 = 0.05;
+
 /// Interleaved rounds of the ratio measurement; the shortest time of each counts.
 const ROUNDS: usize = 15;
 
-fn scene() -> Scene {
-    catalogue::scene("report-break").expect("a scene of the catalogue")
-}
-
-fn setting(pairs: &[&str]) -> Setting {
-    Setting::parse(pairs.iter().copied()).expect("a valid setting")
-}
-
-fn prepared<'a>(scene: &'a Scene, engine: &str, pairs: &[&str]) -> Box<dyn engine::Run + 'a> {
-    let engine = engine::find(engine).expect("an engine");
-    engine::prepare(engine, scene, &setting(pairs)).expect("an engine that runs the report's break")
-}
-
-fn whole_shots(criterion: &mut Criterion) {
-    let scene = scene();
-    let mut group = criterion.benchmark_group("report-break, whole shot");
-    for (engine, pairs) in COLUMNS {
-        group.sample_size(if engine.starts_with("rapier") { 10 } else { 50 });
-        group.bench_function(engine, |bencher| {
-            // set-up is outside the measurement
-            bencher.iter_batched(
-                || prepared(&scene, engine, pairs),
-                |run| black_box(run.simulate(Record::Final, &Limits::NONE)),
-                BatchSize::PerIteration,
-            );
-        });
-    }
+/// One benchmark: a run of a scene in an engine, set-up outside the measurement.
+fn bench(
+    criterion: &mut Criterion,
+    group: &str,
+    name: String,
+    (engine, pairs): (&str, &[&str]),
+    scene: &Scene,
+    record: Record,
+) {
+    let mut group = criterion.benchmark_group(group);
+    group
+        .sample_size(10)
+        .sampling_mode(SamplingMode::Flat)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1));
+    group.bench_function(name, |bencher| {
+        bencher.iter_batched(
+            || prepared(scene, engine, pairs),
+            |run| black_box(run.simulate(record, &Limits::NONE)),
+            BatchSize::PerIteration,
+        );
+    });
     group.finish();
 }
 
+/// Every engine on scenes of every size: nothing moves, half the hits have happened, and the whole shot.
+fn states(criterion: &mut Criterion) {
+    for n in SIZES {
+        let shot = shot(n);
+        let rest = at_rest(shot.clone(), PART);
+        let middle = mid_break(shot.clone(), PART);
+        for column in COLUMNS {
+            let name = format!("{}/{n}", column.0);
+            let bounded = column.0.starts_with("rapier") && n > 100;
+            let mut whole = shot.clone();
+            if bounded {
+                whole.duration = BOUND;
+            }
+            let whole_name = if bounded {
+                format!("{name}, first {BOUND} s")
+            } else {
+                name.clone()
+            };
+            let group = format!("at rest, {PART} s");
+            bench(
+                criterion,
+                &group,
+                name.clone(),
+                column,
+                &rest,
+                Record::Final,
+            );
+            let group = format!("mid-break, {PART} s");
+            bench(criterion, &group, name, column, &middle, Record::Final);
+            bench(
+                criterion,
+                "whole shot",
+                whole_name,
+                column,
+                &whole,
+                Record::Final,
+            );
+        }
+    }
+    // many more hits: exact at a hundredth of the friction
+    let mut slippery = scene("report-break");
+    slippery.effects.cloth = Some(carom::physics::Cloth::Translational { mu: 0.002 });
+    let name = "exact/16, mu 0.002".to_owned();
+    bench(
+        criterion,
+        "whole shot",
+        name,
+        COLUMNS[0],
+        &slippery,
+        Record::Final,
+    );
+}
+
+/// What recording costs each engine, on the report's break.
 fn recording(criterion: &mut Criterion) {
-    let scene = scene();
-    let mut group = criterion.benchmark_group("exact, recording");
-    for (name, record) in [("final", Record::Final), ("events", Record::Events)] {
-        group.bench_function(name, |bencher| {
-            bencher.iter_batched(
-                || prepared(&scene, "exact", &[]),
-                |run| black_box(run.simulate(record, &Limits::NONE)),
-                BatchSize::SmallInput,
+    let mut part = scene("report-break");
+    // the first 1.5 s of the shot, where balls touch
+    part.duration = 1.5;
+    for column in COLUMNS {
+        for (what, record) in [
+            ("final", Record::Final),
+            ("events", Record::Events),
+            ("every 0.02 s", Record::Every(0.02)),
+        ] {
+            let name = format!("{}/{what}", column.0);
+            bench(
+                criterion,
+                "recording, first 1.5 s of the report's break",
+                name,
+                column,
+                &part,
+                record,
             );
-        });
+        }
     }
-    group.finish();
-}
-
-/// One run, its time in s.
-fn timed(scene: &Scene, engine: &str, pairs: &[&str]) -> (f64, Trace) {
-    let run = prepared(scene, engine, pairs);
-    let start = Instant::now();
-    let trace = run.simulate(Record::Final, &Limits::NONE);
-    (start.elapsed().as_secs_f64(), trace)
 }
 
 /// Shots of the exact engine that are timed together: one alone would be timed with cold caches, which a step of the others,
@@ -90,17 +153,15 @@ fn exact_shot(scene: &Scene) -> f64 {
 
 /// Prints exact per shot against a rapier step, and a stepper step against a rapier step.
 fn ratios() {
-    let scene = scene();
+    let scene = scene("report-break");
     // rapier: a quarter of a second of the shot around the break, where balls touch
     let mut part = scene.clone();
     part.duration = 1.5;
     let [mut exact, mut stepper, mut rapier] = [f64::INFINITY; 3];
     for _ in 0..ROUNDS {
         exact = exact.min(exact_shot(&scene));
-        let (seconds, trace) = timed(&scene, "stepper", &["contact=approaching-only"]);
-        stepper = stepper.min(seconds / trace.counters["steps"] as f64);
-        let (seconds, trace) = timed(&part, "rapier-f64", &[]);
-        rapier = rapier.min(seconds / trace.counters["steps"] as f64);
+        stepper = stepper.min(step_time(&scene, "stepper", COLUMNS[1].1).0);
+        rapier = rapier.min(step_time(&part, "rapier-f64", &[]).0);
     }
     println!();
     println!("ratios on the report's break, 16 balls, shortest of {ROUNDS} interleaved rounds");
@@ -122,7 +183,7 @@ fn ratios() {
 
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
-    whole_shots(&mut criterion);
+    states(&mut criterion);
     recording(&mut criterion);
     criterion.final_summary();
     // `cargo test --benches` only checks that everything runs

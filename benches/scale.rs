@@ -2,19 +2,20 @@
 
 #![allow(missing_docs, clippy::expect_used, clippy::print_stdout)]
 
-use carom::engine::{self, Limits, Setting};
+use carom::engine::Limits;
 use carom::scene::generate::{Recipe, generate};
-use carom::scene::{Scene, catalogue, parse, plan_vector};
+use carom::scene::{Scene, parse, plan_vector};
 use carom::trace::{Record, Trace, files};
 use criterion::{BatchSize, Criterion, Throughput};
 use std::hint::black_box;
 use std::time::Instant;
 
+mod runs;
+
+use runs::{DENSITY, prepared, scene, step_time};
+
 /// Numbers of balls.
 const SIZES: [usize; 5] = [16, 100, 1_000, 10_000, 100_000];
-
-/// Part of the box that the discs cover.
-const DENSITY: f64 = 0.3;
 
 /// Interleaved rounds; the shortest time of each counts.
 const ROUNDS: usize = 5;
@@ -34,8 +35,7 @@ fn discs(balls: usize, mu: Option<f64>) -> Scene {
         duration: 1e5,
         ..Recipe::default()
     };
-    let text = generate(&recipe).expect("a density at which discs fit");
-    parse("generated", &text).expect("a generated scene")
+    runs::discs(&recipe)
 }
 
 /// Events of one timed run: enough to pass over all of memory several times.
@@ -43,22 +43,13 @@ fn budget(balls: usize) -> u64 {
     20_000.max(4 * balls as u64)
 }
 
-fn prepared<'a>(scene: &'a Scene, engine: &str, pairs: &[&str]) -> Box<dyn engine::Run + 'a> {
-    let setting = Setting::parse(pairs.iter().copied()).expect("a valid setting");
-    let engine = engine::find(engine).expect("an engine");
-    engine::prepare(engine, scene, &setting).expect("an engine that runs the scene")
-}
-
 /// A run of so many events, and its time in s.
 fn timed(scene: &Scene, pairs: &[&str], max_events: u64) -> (f64, Trace) {
-    let run = prepared(scene, "exact", pairs);
     let limits = Limits {
         max_events,
         ..Limits::NONE
     };
-    let start = Instant::now();
-    let trace = run.simulate(Record::Final, &limits);
-    (start.elapsed().as_secs_f64(), trace)
+    runs::timed(scene, "exact", pairs, &limits)
 }
 
 /// Time of an event, s, without the first prediction of all balls, which is the second number for each ball.
@@ -188,7 +179,7 @@ fn cells() {
 
 /// Breaks of the report, each aimed a little differently.
 fn breaks() -> Vec<Scene> {
-    let scene = catalogue::scene("report-break").expect("a scene of the catalogue");
+    let scene = scene("report-break");
     let cue = scene.cue_ball();
     let speed = scene.balls[cue].state.velocity.norm();
     let aimed = |i: usize| {
@@ -214,7 +205,7 @@ fn shots(scenes: &[Scene]) -> (f64, u64) {
 /// Prints whole breaks against a step of rapier.
 fn against_rapier() {
     let scenes = breaks();
-    let mut part = catalogue::scene("report-break").expect("a scene of the catalogue");
+    let mut part = scene("report-break");
     // the first 1.5 s of the shot, where balls touch
     part.duration = 1.5;
     let [mut shot, mut event, mut step] = [f64::INFINITY; 3];
@@ -222,10 +213,7 @@ fn against_rapier() {
         let (seconds, events) = shots(&scenes);
         shot = shot.min(seconds / SHOTS as f64);
         event = event.min(seconds / events as f64);
-        let run = prepared(&part, "rapier-f64", &[]);
-        let start = Instant::now();
-        let trace = run.simulate(Record::Final, &Limits::NONE);
-        step = step.min(start.elapsed().as_secs_f64() / trace.counters["steps"] as f64);
+        step = step.min(step_time(&part, "rapier-f64", &[]).0);
     }
     println!();
     println!(

@@ -1,5 +1,5 @@
-//! Numbers without physics: scalars, vectors, the first root of a contact quartic, points sorted into squares, statistics,
-//! seeded random numbers.
+//! Numbers without physics: scalars, vectors, the first root of a contact quartic, points sorted into squares and close pairs of them,
+//! statistics, seeded random numbers.
 
 pub mod angle;
 pub mod double_double;
@@ -8,6 +8,7 @@ pub mod exponential;
 pub mod extrapolation;
 pub mod first_root;
 pub mod grid;
+pub mod near;
 mod octuple;
 pub mod random;
 pub mod real;

@@ -233,7 +233,7 @@ fn number_of_allocations_does_not_depend_on_the_number_of_steps() {
     };
     let ((few, coarse), (many, fine)) = (allocations(1e-3), allocations(1e-4));
     assert!(many > 9 * few, "{few} and {many} steps");
-    // one map entry a pair that ever overlapped, and the trace itself: a few dozen either way
+    // the arrays of the run, and the trace itself: a few dozen either way
     assert!(
         fine < 2 * coarse && fine < 500,
         "{coarse} allocations in {few} steps, {fine} in {many}"

@@ -25,6 +25,7 @@
 use super::cloth::{Felt, Load, is_aloft, lever, rest_speed, top_speed};
 use super::interface::{Other, Push};
 use crate::math::Vec3;
+use crate::math::near::Near;
 use crate::physics::invariants::kinetic_energy;
 use crate::physics::{Motion, Side, State, friction, pockets};
 use crate::scene::Scene;
@@ -35,8 +36,8 @@ use std::collections::BTreeMap;
 /// and takes it away again, a handful of operations on numbers of that size.
 const ROUNDING_ULPS: f64 = 16.0;
 
-/// Above this many balls only pairs that push each other are tested for overlap; up to it, all are.
-const SCAN_ALL_PAIRS: usize = 200;
+/// What squares and roots may round a distance by, relative.
+const ROUNDING: f64 = 1e-12;
 
 /// One step, s.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +73,16 @@ pub(super) struct Journal<'a> {
     in_play: Vec<bool>,
     left: Vec<usize>,
     balls: Vec<BallStep>,
+    /// Whether something was written in `balls` since all of it was as at the start of a step.
+    used: bool,
+    /// Where no centre is beyond where the cushions let it be, whatever its radius: the least and the greatest x, those of y, length.
+    inner: [[f64; 2]; 2],
+    /// Kinetic energy of every ball at the start of the step, mass * length^2/s^2.
+    energies: Vec<f64>,
+    /// Pairs that may overlap; `None` where distances cannot be squared.
+    near: Option<Near>,
+    /// Square of the distance in space from which on no two balls overlap, length^2.
+    bound: f64,
     exchanges: u64,
     contacts: u64,
     unattributed: u64,
@@ -107,6 +118,7 @@ impl<'a> Journal<'a> {
         let felt = Felt::new(scene, ulp);
         let turns = felt.rotational().is_some();
         let rub = scene.effects.friction;
+        let largest_radius = scene.balls.iter().map(|b| b.radius).fold(0.0, f64::max);
         let states_that = |holds: &dyn Fn(&State, f64) -> bool| -> Vec<bool> {
             let balls = initial.iter().zip(&scene.balls);
             balls
@@ -129,6 +141,13 @@ impl<'a> Journal<'a> {
             in_play: vec![true; initial.len()],
             left: Vec::new(),
             balls: vec![BallStep::default(); initial.len()],
+            used: true,
+            inner: inner(scene),
+            energies: (initial.iter().enumerate())
+                .map(|(ball, state)| energy(scene, ball, state))
+                .collect(),
+            near: Near::new(2.0 * largest_radius, initial.len()),
+            bound: (2.0 * largest_radius).powi(2) * (1.0 + ROUNDING),
             exchanges: 0,
             contacts: 0,
             unattributed: 0,
@@ -236,7 +255,10 @@ impl<'a> Journal<'a> {
         pushes: &[Push],
         presses: &[f64],
     ) {
-        for (index, ball) in self.balls.iter_mut().enumerate() {
+        // in most steps nothing was written of any ball
+        let used = std::mem::replace(&mut self.used, !pushes.is_empty());
+        let stale = if used { &mut self.balls[..] } else { &mut [] };
+        for (index, ball) in stale.iter_mut().enumerate() {
             *ball = BallStep {
                 group: index,
                 ..BallStep::default()
@@ -253,9 +275,11 @@ impl<'a> Journal<'a> {
         }
         let dt = span.end - span.start;
         for (index, ball) in self.balls.iter().enumerate() {
-            let change = after[index].velocity - before[index].velocity;
+            let mut left = after[index].velocity - before[index].velocity;
             let mass = self.scene.balls[index].mass;
-            let left = change - ball.impulse / mass;
+            if ball.impulse != Vec3::zeros() {
+                left -= ball.impulse / mass;
+            }
             // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy; the impulses are normal
             let cloth = self.felt.most_drag(presses[index] / mass, dt) * dt;
             let rubbed = self.rub * ball.pressed / mass;
@@ -336,6 +360,7 @@ impl<'a> Journal<'a> {
 
     /// The near side of the next thing that happens to a ball in this step.
     fn near(&mut self, span: Span, before: &[State], after: &[State], ball: usize) -> State {
+        self.used = true;
         let Motion { velocity, spin } = match self.balls[ball].motion {
             Some(motion) => motion,
             None => {
@@ -379,9 +404,8 @@ impl<'a> Journal<'a> {
                 self.left.push(ball);
                 let near = self.near(span, before, after, ball);
                 self.recorder.pocket(ball, span.end, &near, pocket as u32);
-                let mass = self.scene.balls[ball].mass;
-                let energy = kinetic_energy(&after[ball], mass, self.scene.inertia(ball));
-                self.recorder.energy_change(span.end, -energy, ball, None);
+                let taken = energy(self.scene, ball, &after[ball]);
+                self.recorder.energy_change(span.end, -taken, ball, None);
             }
         }
     }
@@ -469,31 +493,39 @@ impl<'a> Journal<'a> {
         pushes: &[Push],
         presses: &[f64],
     ) {
-        self.energy(span.end, before, after, pushes);
+        self.energy(span.end, after, pushes);
         if !pushes.is_empty() {
             self.momentum(span, before, after, pushes, presses);
         }
         if self.scene.effects.contact.is_some() {
-            self.overlaps(span.end, after, pushes);
+            self.overlaps(span.end, after);
         }
         if let (Some(_), Some(table)) = (self.scene.effects.cushion, self.scene.table) {
-            let balls = after.iter().enumerate();
-            for (index, state) in balls.filter(|(index, _)| self.in_play[*index]) {
+            let [[x0, x1], [y0, y1]] = self.inner;
+            for (index, state) in after.iter().enumerate() {
+                let (x, y) = (state.position.x, state.position.y);
+                let inside = (x >= x0) & (x <= x1) & (y >= y0) & (y <= y1);
+                if inside || !self.in_play[index] {
+                    continue;
+                }
                 for side in Side::ALL {
                     let reach = table.reach(side, self.scene.balls[index].radius);
                     let beyond = f64::from(side.sign()) * (state.position[side.axis()] - reach);
-                    self.recorder.outside(span.end, beyond, index);
+                    // the extremum begins at 0
+                    if beyond > 0.0 {
+                        self.recorder.outside(span.end, beyond, index);
+                    }
                 }
             }
         }
     }
 
-    fn energy(&mut self, time: f64, before: &[State], after: &[State], pushes: &[Push]) {
+    fn energy(&mut self, time: f64, after: &[State], pushes: &[Push]) {
         let (mut total, mut largest, mut winner) = (0.0, f64::NEG_INFINITY, 0);
-        for (index, (b, a)) in before.iter().zip(after).enumerate() {
-            let mass = self.scene.balls[index].mass;
-            let inertia = self.scene.inertia(index);
-            let change = kinetic_energy(a, mass, inertia) - kinetic_energy(b, mass, inertia);
+        for (index, (known, state)) in self.energies.iter_mut().zip(after).enumerate() {
+            let now = energy(self.scene, index, state);
+            let change = now - *known;
+            *known = now;
             total += change;
             if change > largest {
                 (largest, winner) = (change, index);
@@ -556,28 +588,64 @@ impl<'a> Journal<'a> {
         }
     }
 
-    fn overlaps(&mut self, time: f64, after: &[State], pushes: &[Push]) {
-        let depth = |a: usize, b: usize| {
-            let reach = self.scene.balls[a].radius + self.scene.balls[b].radius;
-            reach - (after[a].position - after[b].position).norm()
-        };
-        if after.len() <= SCAN_ALL_PAIRS {
+    fn overlaps(&mut self, time: f64, after: &[State]) {
+        let balls = &self.scene.balls;
+        let reach = |a: usize, b: usize| balls[a].radius + balls[b].radius;
+        let Some(mut near) = self.near.take() else {
             for a in 0..after.len() {
                 for b in a + 1..after.len() {
-                    if self.in_play[a] && self.in_play[b] {
-                        self.recorder.overlap(time, depth(a, b), a, b);
-                    }
+                    self.overlap(time, after, a, b);
                 }
             }
             return;
+        };
+        // in plan no two balls are farther apart than in space
+        let plan = |state: &State| [state.position.x, state.position.y];
+        near.place(after.iter().map(plan), reach);
+        for pair in near.pairs() {
+            let [a, b] = pair.map(|ball| ball as usize);
+            let apart = (after[a].position - after[b].position).norm_squared();
+            // a gap is no extremum: most pairs need no root
+            if apart < self.bound {
+                self.overlap(time, after, a, b);
+            }
         }
-        for push in pushes {
-            if let Other::Ball(other) = push.other {
-                self.recorder
-                    .overlap(time, depth(push.ball, other), push.ball, other);
+        self.near = Some(near);
+    }
+
+    fn overlap(&mut self, time: f64, after: &[State], a: usize, b: usize) {
+        if !(self.in_play[a] && self.in_play[b]) {
+            return;
+        }
+        let reach = self.scene.balls[a].radius + self.scene.balls[b].radius;
+        let depth = reach - (after[a].position - after[b].position).norm();
+        self.recorder.overlap(time, depth, a, b);
+    }
+}
+
+/// Where the cushions let every ball of a scene be: the least and the greatest x, and those of y, length.
+fn inner(scene: &Scene) -> [[f64; 2]; 2] {
+    let mut inner = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    let Some(table) = scene.table else {
+        return inner;
+    };
+    for ball in &scene.balls {
+        for side in Side::ALL {
+            let reach = table.reach(side, ball.radius);
+            let [least, greatest] = &mut inner[side.axis()];
+            if side.sign() < 0 {
+                *least = least.max(reach);
+            } else {
+                *greatest = greatest.min(reach);
             }
         }
     }
+    inner
+}
+
+/// Kinetic energy of a ball of the scene, mass * length^2/s^2.
+fn energy(scene: &Scene, ball: usize, state: &State) -> f64 {
+    kinetic_energy(state, scene.balls[ball].mass, scene.inertia(ball))
 }
 
 /// The point of the way from `start` that is nearest to the centre of a circle `[x, y, r]`, in plan.

@@ -251,21 +251,16 @@ impl Engine for Rapier {
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         let settings = Settings::read(setting)?.for_scene(scene)?;
+        let version = self.version();
         Ok(match self.precision {
-            Precision::Double => Box::new(Simulation {
-                world: double::world::Billiard::new(scene, &settings),
-                scene,
-                settings,
-                engine: self.id,
-                version: self.version(),
-            }),
-            Precision::Single => Box::new(Simulation {
-                world: single::world::Billiard::new(scene, &settings),
-                scene,
-                settings,
-                engine: self.id,
-                version: self.version(),
-            }),
+            Precision::Double => {
+                let world = double::world::Billiard::new(scene, &settings);
+                Box::new(Simulation::new(scene, settings, world, self.id, version))
+            }
+            Precision::Single => {
+                let world = single::world::Billiard::new(scene, &settings);
+                Box::new(Simulation::new(scene, settings, world, self.id, version))
+            }
         })
     }
 }

@@ -16,8 +16,7 @@ pub(super) struct Simulation<'a, W> {
     pub scene: &'a Scene,
     pub settings: Settings,
     pub world: W,
-    pub engine: &'static str,
-    pub version: String,
+    pub provenance: Provenance,
 }
 
 impl<W: World> Run for Simulation<'_, W> {
@@ -41,7 +40,7 @@ impl<W: World> Run for Simulation<'_, W> {
         let mut after = before.clone();
         let mut pushes = Vec::new();
         let mut presses = vec![0.0; before.len()];
-        let provenance = self.provenance();
+        let provenance = std::mem::take(&mut self.provenance);
         let mut journal = Journal::new(self.scene, provenance, record, &before, W::ULP);
         let mut step = 0;
         let ending = loop {
@@ -82,16 +81,28 @@ impl<W: World> Run for Simulation<'_, W> {
     }
 }
 
-impl<W: World> Simulation<'_, W> {
-    fn provenance(&self) -> Provenance {
-        Provenance {
-            engine: self.engine.to_owned(),
-            version: self.version.clone(),
-            parameters: parameters(&self.settings),
-            scene: self.scene.name.clone(),
-            scene_hash: self.scene.hash(),
-            resolution: self.settings.dt,
-            rest_speed: rest_speed(self.scene),
+impl<'a, W: World> Simulation<'a, W> {
+    /// A run of `scene` in `world`, which holds it.
+    pub fn new(
+        scene: &'a Scene,
+        settings: Settings,
+        world: W,
+        engine: &str,
+        version: String,
+    ) -> Self {
+        Simulation {
+            provenance: Provenance {
+                engine: engine.to_owned(),
+                version,
+                parameters: parameters(&settings),
+                scene: scene.name.clone(),
+                scene_hash: scene.hash(),
+                resolution: settings.dt,
+                rest_speed: rest_speed(scene),
+            },
+            scene,
+            settings,
+            world,
         }
     }
 
@@ -261,19 +272,15 @@ mod tests {
     fn a_number_that_stops_being_one_ends_the_run_at_the_last_good_step() {
         for quarantine in [false, true] {
             let scene = one_ball();
-            let simulation = Simulation {
-                scene: &scene,
-                settings: Settings {
-                    dt: 0.1,
-                    ..Settings::default()
-                },
-                world: Failing {
-                    steps: 0,
-                    quarantine,
-                },
-                engine: "failing",
-                version: String::new(),
+            let settings = Settings {
+                dt: 0.1,
+                ..Settings::default()
             };
+            let world = Failing {
+                steps: 0,
+                quarantine,
+            };
+            let simulation = Simulation::new(&scene, settings, world, "failing", String::new());
             let trace = Box::new(simulation).simulate(Record::Events, &Limits::NONE);
             let spot = trace.ending.spot().cloned();
             assert!(

@@ -197,18 +197,19 @@ impl Billiard {
         Some(if sphere { inertia.x } else { f64::NAN })
     }
 
-    /// Who pushed whom, or `None` for a pair that did nothing in the last step or whose push is the cloth's.
+    /// Who pushed whom, or `None` for a pair that did nothing in the last step.
+    #[inline(never)]
     fn push(&self, pair: &ContactPair) -> Option<Push> {
-        let tag = |handle| self.world.colliders.get(handle).map(|c| c.user_data);
-        let (first, second) = (tag(pair.collider1)?, tag(pair.collider2)?);
-        if first == CLOTH_TAG || second == CLOTH_TAG || self.both_sleep(first, second) {
-            return None;
-        }
         let mut on_first = Vec3::zeros();
         for (normal, size) in acting(pair) {
             on_first -= normal * size;
         }
         if on_first == Vec3::zeros() {
+            return None;
+        }
+        let tag = |handle| self.world.colliders.get(handle).map(|c| c.user_data);
+        let (first, second) = (tag(pair.collider1)?, tag(pair.collider2)?);
+        if self.both_sleep(first, second) {
             return None;
         }
         let side = |tag: u128| Side::ALL.get((tag - CUSHION_TAG) as usize).copied();
@@ -226,6 +227,11 @@ impl Billiard {
             other,
             impulse,
         })
+    }
+
+    fn is_with_cloth(&self, pair: &ContactPair) -> bool {
+        let is_cloth = |handle| self.cloth.is_some_and(|cloth| cloth == handle);
+        is_cloth(pair.collider1) || is_cloth(pair.collider2)
     }
 
     /// True when everything that could move in a pair slept through the last step: its impulses are old.
@@ -297,8 +303,12 @@ impl World for Billiard {
 
     fn pushes(&self, pushes: &mut Vec<Push>) {
         pushes.clear();
-        let pairs = self.world.narrow_phase.contact_pairs();
-        pushes.extend(pairs.filter_map(|pair| self.push(pair)));
+        for pair in self.world.narrow_phase.contact_pairs() {
+            // most pairs did nothing, or are a ball's with the cloth: they must be cheap to see
+            if pair.solver_manifolds().iter().any(pushed) && !self.is_with_cloth(pair) {
+                pushes.extend(self.push(pair));
+            }
+        }
     }
 
     fn quarantined(&self) -> Vec<u32> {
@@ -394,12 +404,21 @@ fn of(collider: ColliderBuilder, material: Material) -> ColliderBuilder {
 
 /// Normal and normal impulse of every contact that acted between two colliders in the last step.
 fn acting(pair: &ContactPair) -> impl Iterator<Item = (Vec3, f64)> {
-    // without a solver contact the impulse is one of an earlier step
-    let acts = |manifold: &&ContactManifold| !manifold.data.solver_contacts.is_empty();
-    pair.solver_manifolds().iter().filter(acts).map(|manifold| {
+    let manifolds = pair.solver_manifolds().iter();
+    manifolds.filter(|manifold| acts(manifold)).map(|manifold| {
         let impulses = manifold.points.iter().map(|p| p.data.impulse.to_f64());
         (read(manifold.data.normal), impulses.sum())
     })
+}
+
+/// True when a manifold acted in the last step: without a solver contact its impulses are those of an earlier one.
+fn acts(manifold: &ContactManifold) -> bool {
+    !manifold.data.solver_contacts.is_empty()
+}
+
+/// True when a manifold acted in the last step with an impulse.
+fn pushed(manifold: &ContactManifold) -> bool {
+    acts(manifold) && manifold.points.iter().any(|p| p.data.impulse != 0.0)
 }
 
 /// Friction between balls that depends on their slip speed: rapier asks for the coefficient before every step.

@@ -121,7 +121,8 @@ impl Balls {
     pub fn moving_centres(&self) -> usize {
         let velocities = self.vx.iter().zip(&self.vy);
         velocities
-            .filter(|(vx, vy)| (*vx * *vx + *vy * *vy).sqrt() != 0.0)
+            // a root is zero where its square is
+            .filter(|(vx, vy)| *vx * *vx + *vy * *vy != 0.0)
             .count()
     }
 
@@ -170,7 +171,15 @@ impl Balls {
 
     /// States in scene order; a ball that left play has none, and zeros stand in its place.
     pub fn states(&self) -> Vec<State> {
-        let mut states = vec![State::at_rest(Vec3::zeros()); self.listed];
+        let mut states = Vec::new();
+        self.read(&mut states);
+        states
+    }
+
+    /// Replaces `states` by [`Balls::states`].
+    pub fn read(&self, states: &mut Vec<State>) {
+        states.clear();
+        states.resize(self.listed, State::at_rest(Vec3::zeros()));
         for (i, &ball) in self.scene_index.iter().enumerate() {
             states[ball].position = Vec3::new(self.x[i], self.y[i], self.radius[i]);
             states[ball].velocity = Vec3::new(self.vx[i], self.vy[i], 0.0);
@@ -178,7 +187,6 @@ impl Balls {
         for (rotation, &ball) in self.rotation.iter().zip(&self.scene_index) {
             states[ball].spin = rotation.spin;
         }
-        states
     }
 
     /// Velocity and spin.
@@ -205,9 +213,9 @@ impl Balls {
         }
     }
 
-    /// Takes a ball out of play; those after it move up by one.
-    pub fn remove(&mut self, i: usize) {
-        self.scene_index.remove(i);
+    /// Takes balls out of play, by ascending index; those after them move up.
+    pub fn remove(&mut self, leaving: &[usize]) {
+        remove(&mut self.scene_index, leaving);
         for column in [
             &mut self.x,
             &mut self.y,
@@ -216,10 +224,10 @@ impl Balls {
             &mut self.mass,
             &mut self.radius,
         ] {
-            column.remove(i);
+            remove(column, leaving);
         }
-        if i < self.rotation.len() {
-            self.rotation.remove(i);
+        if !self.rotation.is_empty() {
+            remove(&mut self.rotation, leaving);
         }
     }
 
@@ -229,4 +237,15 @@ impl Balls {
         let slip = rotational::slip_velocity(&velocity, &spin, radius);
         slip.norm() > ROLLS * (velocity.norm() + radius * spin.xy().norm())
     }
+}
+
+/// Removes the items at some indices, ascending, in one pass.
+pub fn remove<T>(column: &mut Vec<T>, leaving: &[usize]) {
+    let (mut index, mut next) = (0, 0);
+    column.retain(|_| {
+        let leaves = leaving.get(next) == Some(&index);
+        next += usize::from(leaves);
+        index += 1;
+        !leaves
+    });
 }

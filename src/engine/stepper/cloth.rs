@@ -40,6 +40,12 @@ pub trait ClothStep {
     }
 }
 
+/// Balls that the report's cloth slows together.
+const LANES: usize = 8;
+
+/// Balls of such a block that are slowed one by one while the others are at rest.
+const FEW: usize = 3;
+
 /// Free flight.
 #[derive(Clone, Copy, Debug)]
 pub struct NoCloth;
@@ -75,26 +81,99 @@ impl Translational {
             dt,
         }
     }
-}
 
-impl ClothStep for Translational {
-    fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
+    /// Speed after a step, length/s; a ball with none left, or less, halts.
+    #[inline(always)]
+    fn slowed(&self, speed: f64, mass: f64) -> f64 {
+        (-self.deceleration * mass * self.dt + mass * speed) / mass
+    }
+
+    /// Slows a block of which most balls move, from the squares of their speeds.
+    #[inline(always)]
+    fn slow_all(
+        &self,
+        block: usize,
+        squares: [f64; LANES],
+        vx: &mut [f64],
+        vy: &mut [f64],
+        mass: &[f64],
+        ending: &mut Vec<usize>,
+    ) -> usize {
         let mut moving = 0;
-        let velocities = balls.vx.iter_mut().zip(&mut balls.vy);
-        for (i, ((vx, vy), &mass)) in velocities.zip(&balls.mass).enumerate() {
-            let speed = (*vx * *vx + *vy * *vy).sqrt();
-            if speed == 0.0 {
+        let mut halting = [false; LANES];
+        let mut ends = false;
+        let lanes = vx.iter_mut().zip(vy).zip(mass);
+        let results = squares.iter().zip(&mut halting);
+        // no branch inside: the compiler turns the block into wide lanes
+        for (((vx, vy), &mass), (square, halting)) in lanes.zip(results) {
+            let speed = square.sqrt();
+            let slowed = self.slowed(speed, mass);
+            let halts = slowed <= 0.0;
+            // a ball at rest would halt too: it is left alone
+            let factor = if halts { 1.0 } else { slowed / speed };
+            *vx *= factor;
+            *vy *= factor;
+            *halting = halts & (*square != 0.0);
+            ends |= *halting;
+            moving += usize::from(!halts);
+        }
+        if ends {
+            let halting = halting.iter().enumerate().filter(|(_, halts)| **halts);
+            ending.extend(halting.map(|(lane, _)| block * LANES + lane));
+        }
+        moving
+    }
+
+    /// Slows a block of which most balls are at rest, from the squares of their speeds.
+    #[inline(always)]
+    fn slow_few(
+        &self,
+        block: usize,
+        squares: [f64; LANES],
+        vx: &mut [f64],
+        vy: &mut [f64],
+        mass: &[f64],
+        ending: &mut Vec<usize>,
+    ) -> usize {
+        let mut moving = 0;
+        let lanes = vx.iter_mut().zip(vy).zip(mass).zip(squares);
+        for (lane, (((vx, vy), &mass), square)) in lanes.enumerate() {
+            if square == 0.0 {
                 continue;
             }
-            let slowed = (-self.deceleration * mass * self.dt + mass * speed) / mass;
+            let speed = square.sqrt();
+            let slowed = self.slowed(speed, mass);
             if slowed <= 0.0 {
-                ending.push(i);
+                ending.push(block * LANES + lane);
                 continue;
             }
             let factor = slowed / speed;
             *vx *= factor;
             *vy *= factor;
             moving += 1;
+        }
+        moving
+    }
+}
+
+impl ClothStep for Translational {
+    fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
+        let mut moving = 0;
+        let velocities = balls.vx.chunks_mut(LANES).zip(balls.vy.chunks_mut(LANES));
+        let blocks = velocities.zip(balls.mass.chunks(LANES));
+        for (block, ((vx, vy), mass)) in blocks.enumerate() {
+            let mut squares = [0.0; LANES];
+            let mut live = 0;
+            for ((square, vx), vy) in squares.iter_mut().zip(&*vx).zip(&*vy) {
+                *square = *vx * *vx + *vy * *vy;
+                // a root is zero where its square is
+                live += usize::from(*square != 0.0);
+            }
+            if live > FEW {
+                moving += self.slow_all(block, squares, vx, vy, mass, ending);
+            } else if live > 0 {
+                moving += self.slow_few(block, squares, vx, vy, mass, ending);
+            }
         }
         moving
     }

@@ -1,6 +1,7 @@
-//! Which pairs overlap, and what the report does to a pair that does.
+//! When two balls overlap, and what the report does to a pair that does.
 
 use super::ContactRule;
+use super::balls::remove;
 use crate::math::Vec3;
 use crate::physics::{self, Body, Contact, Friction, Motion};
 use nalgebra::Vector2;
@@ -58,66 +59,36 @@ impl Sizes {
 
     /// Distance of the centres of balls `i` and `j` below which they overlap, length.
     pub fn distance(&self, i: usize, j: usize) -> f64 {
-        self.distances[self.class[i] * self.count + self.class[j]]
+        self.distances[self.pair(i, j)]
     }
 
-    /// Forgets a ball that left play; those after it move up by one.
-    pub fn remove(&mut self, i: usize) {
-        self.class.remove(i);
+    /// True when balls `i` and `j` overlap at a squared distance of `d2`, length^2.
+    pub fn overlap(&self, i: usize, j: usize, d2: f64) -> bool {
+        d2 < self.bounds[self.pair(i, j)]
     }
 
-    /// Collects every overlapping pair (i < j), ordered by i and then j.
-    ///
-    /// Positions do not change while a step exchanges velocities, so all pairs can be found before the first exchange
-    /// without changing any result.
-    pub fn overlapping(&self, x: &[f64], y: &[f64], pairs: &mut Vec<(usize, usize)>) {
-        pairs.clear();
-        if self.count == 1 {
-            let bound = self.bounds[0];
-            for i in 0..x.len() {
-                // no branch inside: the compiler turns the row into wide lanes
-                let mut any = false;
-                for (xj, yj) in x[i + 1..].iter().zip(&y[i + 1..]) {
-                    any |= squared(x[i] - xj, y[i] - yj) < bound;
-                }
-                if any {
-                    self.collect_row(i, x, y, pairs);
-                }
-            }
-        } else {
-            for i in 0..x.len() {
-                let bounds = self.bounds_of(i);
-                let centres = x[i + 1..].iter().zip(&y[i + 1..]);
-                let mut any = false;
-                for ((xj, yj), &class) in centres.zip(&self.class[i + 1..]) {
-                    any |= squared(x[i] - xj, y[i] - yj) < bounds[class];
-                }
-                if any {
-                    self.collect_row(i, x, y, pairs);
-                }
-            }
-        }
+    /// The largest distance below which two balls overlap, length. Distances grow with both radii.
+    pub fn largest_distance(&self) -> f64 {
+        self.distances.last().copied().unwrap_or(0.0)
     }
 
-    /// Squared bounds of ball `i` with every class of radii.
-    fn bounds_of(&self, i: usize) -> &[f64] {
-        let first = self.class[i] * self.count;
-        &self.bounds[first..first + self.count]
+    /// The squared distance from which on no two balls overlap, length^2.
+    pub fn largest_bound(&self) -> f64 {
+        self.bounds.last().copied().unwrap_or(0.0)
     }
 
-    #[cold]
-    #[inline(never)]
-    fn collect_row(&self, i: usize, x: &[f64], y: &[f64], pairs: &mut Vec<(usize, usize)>) {
-        let bounds = self.bounds_of(i);
-        for j in i + 1..x.len() {
-            if squared(x[i] - x[j], y[i] - y[j]) < bounds[self.class[j]] {
-                pairs.push((i, j));
-            }
-        }
+    /// Forgets balls that left play, by ascending index; those after them move up.
+    pub fn remove(&mut self, leaving: &[usize]) {
+        remove(&mut self.class, leaving);
+    }
+
+    fn pair(&self, i: usize, j: usize) -> usize {
+        self.class[i] * self.count + self.class[j]
     }
 }
 
-fn squared(dx: f64, dy: f64) -> f64 {
+/// Square of the length of a difference in plan, in the report's order of operations.
+pub fn squared(dx: f64, dy: f64) -> f64 {
     dx * dx + dy * dy
 }
 

@@ -11,8 +11,11 @@
 mod balls;
 mod cloth;
 mod contact;
+mod overlaps;
+mod pairs;
 mod run;
 mod sheet;
+mod walls;
 
 use super::setting::{knobs_of, refuse};
 use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
@@ -38,6 +41,9 @@ pub struct Settings {
     pub contact: ContactRule,
     /// contact-time: v = F contact_time / m, independent of dt; as-written: v = F dt / m.
     pub launch: Launch,
+    /// Pairs that the search for overlaps looks at: auto, those nearby where there are many balls; all; near, those nearby.
+    /// Changes cost only.
+    pub partners: Partners,
 }
 
 /// When an overlapping pair exchanges its normal velocities.
@@ -60,6 +66,19 @@ pub enum Launch {
     AsWritten,
 }
 
+/// Which pairs the search for overlaps looks at. The trace is the same to the bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Partners {
+    /// Those nearby in scenes of many balls, all in others.
+    #[default]
+    Auto,
+    /// All.
+    All,
+    /// Those nearby.
+    Near,
+}
+
 /// More steps than this are refused: at 100 ns a step they would take hours.
 const MOST_STEPS: f64 = 1e11;
 
@@ -69,6 +88,7 @@ impl Default for Settings {
             dt: 1e-3,
             contact: ContactRule::AsWritten,
             launch: Launch::ContactTime,
+            partners: Partners::Auto,
         }
     }
 }

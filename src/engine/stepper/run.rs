@@ -3,14 +3,16 @@
 use super::balls::Balls;
 use super::cloth::{ClothStep, NoCloth, Rotational, Translational};
 use super::contact::{Laws, Sizes, exchange};
+use super::overlaps::{self, Overlaps};
+use super::pairs::Pairs;
+use super::walls::Walls;
 use super::{Settings, sheet};
 use crate::engine::setting::parameters;
 use crate::engine::{Inside, Limits, Parameter, Run};
 use crate::physics::cloth::rotational::Coefficients;
-use crate::physics::{Cloth, Contact, Motion, Side, cushion, pockets};
+use crate::physics::{Cloth, Contact, Cushion, Motion, State, cushion, pockets};
 use crate::scene::Scene;
 use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
-use std::collections::BTreeMap;
 
 /// A scene inside the stepper, before its first step.
 #[derive(Debug)]
@@ -21,29 +23,24 @@ pub struct Stepping<'a> {
     pub settings: Settings,
     /// The balls before the first step.
     pub balls: Balls,
-    version: String,
+    provenance: Provenance,
 }
 
 impl<'a> Stepping<'a> {
     pub fn new(scene: &'a Scene, settings: Settings, version: String) -> Self {
-        let balls = Balls::new(scene, &settings);
         Stepping {
             scene,
             settings,
-            version,
-            balls,
-        }
-    }
-
-    fn provenance(&self) -> Provenance {
-        Provenance {
-            engine: "stepper".to_owned(),
-            version: self.version.clone(),
-            parameters: parameters(&self.settings),
-            scene: self.scene.name.clone(),
-            scene_hash: self.scene.hash(),
-            resolution: self.settings.dt,
-            rest_speed: 0.0,
+            balls: Balls::new(scene, &settings),
+            provenance: Provenance {
+                engine: "stepper".to_owned(),
+                version,
+                parameters: parameters(&settings),
+                scene: scene.name.clone(),
+                scene_hash: scene.hash(),
+                resolution: settings.dt,
+                rest_speed: 0.0,
+            },
         }
     }
 }
@@ -57,8 +54,9 @@ impl Run for Stepping<'_> {
         sheet::sheet(self.scene, &self.settings)
     }
 
-    fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
-        let recorder = Recorder::new(self.scene, self.provenance(), record, &self.balls.states());
+    fn simulate(mut self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
+        let provenance = std::mem::take(&mut self.provenance);
+        let recorder = Recorder::new(self.scene, provenance, record, &self.balls.states());
         let (gravity, dt) = (self.scene.gravity, self.settings.dt);
         match self.scene.effects.cloth {
             None => Loop::new(&self, NoCloth, recorder).run(limits),
@@ -81,14 +79,8 @@ impl Run for Stepping<'_> {
     }
 }
 
-/// A contact episode: from the first exchange of a pair until it no longer overlaps. Pairs by index in the scene.
-#[derive(Clone, Copy, Debug)]
-struct Episode {
-    pair: (usize, usize),
-    event: u32,
-    exchanges: u64,
-    last_step: u64,
-}
+/// Balls of all steps between two looks at whether the user asked to stop.
+const PATIENCE: usize = 1 << 16;
 
 /// One run. Everything it needs is allocated before the first step.
 struct Loop<'a, C> {
@@ -97,52 +89,65 @@ struct Loop<'a, C> {
     cloth: C,
     balls: Balls,
     sizes: Sizes,
-    walls: Vec<(Side, Vec<f64>)>,
+    pairs: Pairs,
+    walls: Walls,
     pockets: &'a [[f64; 3]],
     recorder: Recorder,
+    /// Pairs that overlap in this step, by index in play.
     overlapping: Vec<(usize, usize)>,
-    episodes: Vec<Episode>,
+    overlaps: Overlaps,
+    /// Balls that moved before this step's exchanges and took part in them, by index in play.
     exchanged: Vec<usize>,
-    /// Balls of which some motion ends within this step, by index in play.
+    /// The last step in which each ball was put among them, counted from 1.
+    exchanged_in: Vec<u64>,
+    /// Balls of which some motion ends within this step, by ascending index in play.
     ending: Vec<usize>,
-    /// What ended within this step, by index in play: told at its end.
-    ended: Vec<(usize, EventKind)>,
+    /// What ended within this step, by ascending index in play: told at its end.
+    ended: Vec<Ended>,
+    /// Balls that leave play in this step, by ascending index in play.
+    leaving: Vec<usize>,
+    /// States in scene order, for a sample.
+    states: Vec<State>,
     exchanges: u64,
-    overlaps: u64,
+    overlapped: u64,
     longest_overlap: u64,
-    overlap_since: BTreeMap<(usize, usize), (u64, u64)>,
+}
+
+/// The end of a phase of a ball's motion.
+#[derive(Clone, Copy, Debug)]
+struct Ended {
+    ball: usize,
+    kind: EventKind,
+    told: bool,
 }
 
 impl<'a, C: ClothStep> Loop<'a, C> {
     fn new(run: &Stepping<'a>, cloth: C, recorder: Recorder) -> Self {
         let scene = run.scene;
         let balls = run.balls.clone();
-        let walls = match (scene.effects.cushion, scene.table) {
-            (Some(_), Some(table)) => {
-                let limits = |side| balls.radius.iter().map(|&r| table.reach(side, r)).collect();
-                Side::ALL.iter().map(|&side| (side, limits(side))).collect()
-            }
-            _ => Vec::new(),
-        };
         let n = balls.len();
+        let sizes = Sizes::new(&balls.radius);
         Loop {
             scene,
             settings: run.settings,
             cloth,
-            sizes: Sizes::new(&balls.radius),
+            pairs: Pairs::new(run.settings.partners, &sizes, n),
+            sizes,
+            walls: Walls::new(scene, &balls.radius),
             balls,
-            walls,
             pockets: scene.effects.pockets.as_ref().map_or(&[], |p| &p.circles),
             recorder,
             overlapping: Vec::with_capacity(4 * n),
-            episodes: Vec::with_capacity(4 * n),
+            overlaps: Overlaps::new(4 * n),
             exchanged: Vec::with_capacity(n),
+            exchanged_in: vec![0; n],
             ending: Vec::with_capacity(n),
             ended: Vec::with_capacity(3 * n),
+            leaving: Vec::with_capacity(n),
+            states: Vec::with_capacity(n),
             exchanges: 0,
-            overlaps: 0,
+            overlapped: 0,
             longest_overlap: 0,
-            overlap_since: BTreeMap::new(),
         }
     }
 
@@ -153,12 +158,13 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let mut moving = self.balls.moving();
         let mut ending = Ending::Duration;
         let mut step = 0;
+        let patience = (PATIENCE / self.balls.len().max(1)).max(1) as u64;
         while step < steps {
             if moving == 0 && !self.scene.run_to_duration {
                 ending = Ending::Rest;
                 break;
             }
-            if step & 0xfff == 0 && limits.is_cancelled() {
+            if step % patience == 0 && limits.is_cancelled() {
                 ending = Ending::Cancelled;
                 break;
             }
@@ -174,7 +180,8 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 moving = self.balls.moving();
             }
             if self.recorder.due(time) {
-                self.recorder.sample(time, &self.balls.states());
+                self.balls.read(&mut self.states);
+                self.recorder.sample(time, &self.states);
             }
         }
         if moving == 0 && !self.scene.run_to_duration {
@@ -204,17 +211,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 why: "a position or speed overflowed".to_owned(),
             }),
         };
-        let at_rest = self
-            .overlap_since
-            .values()
-            .filter(|(_, last)| last + 1 == step)
-            .count() as u64;
         let counters = [
             ("steps", step),
             ("exchanges", self.exchanges),
-            ("overlaps", self.overlaps),
+            ("overlaps", self.overlapped),
             ("longest_overlap_steps", self.longest_overlap),
-            ("pairs_overlapping_at_end", at_rest),
+            ("pairs_overlapping_at_end", self.overlaps.now().len() as u64),
         ];
         let counters = counters
             .into_iter()
@@ -228,13 +230,11 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let Some(contact) = self.scene.effects.contact else {
             return;
         };
-        self.sizes
-            .overlapping(&self.balls.x, &self.balls.y, &mut self.overlapping);
-        if !self.overlapping.is_empty() {
+        let (x, y) = (&self.balls.x, &self.balls.y);
+        self.pairs
+            .overlapping(&self.sizes, x, y, &mut self.overlapping);
+        if !(self.overlapping.is_empty() && self.overlaps.now().is_empty()) {
             self.exchange_all(step, contact);
-        }
-        if !self.episodes.is_empty() {
-            self.episodes.retain(|episode| episode.last_step == step);
         }
     }
 
@@ -247,43 +247,41 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         };
         let time = step as f64 * self.settings.dt;
         self.exchanged.clear();
+        self.overlaps.begin();
         for k in 0..self.overlapping.len() {
             let (i, j) = self.overlapping[k];
             let apart = self.balls.position(i) - self.balls.position(j);
             let depth = self.sizes.distance(i, j) - apart.norm();
             let (first, second) = (self.balls.scene_index[i], self.balls.scene_index[j]);
-            self.overlaps += 1;
+            self.overlapped += 1;
             self.recorder.overlap(time, depth, first, second);
-            self.keep_overlap(step, (first, second));
-            if let Some(episode) = self
-                .episodes
-                .iter_mut()
-                .find(|episode| episode.pair == (first, second))
-            {
-                episode.last_step = step;
-            }
+            let overlap = self.overlaps.meet(step, (i, j));
+            let since = self.overlaps.now()[overlap].since;
+            self.longest_overlap = self.longest_overlap.max(step - since + 1);
             // a rack that overlaps at rest is most of what the rule as written meets
             if self.balls.is_still(i) && self.balls.is_still(j) {
                 continue;
             }
             let (a, b) = (self.balls.body(i), self.balls.body(j));
             if let Some(motions) = exchange(self.settings.contact, laws, apart, &a, &b) {
-                self.apply(step, (i, j), motions);
+                self.apply(step, overlap, motions);
             }
         }
         self.stops_after_exchange(time);
     }
 
-    /// Gives both balls of a pair their motions after an exchange, and tells it.
-    fn apply(&mut self, step: u64, (i, j): (usize, usize), (one, two): (Motion, Motion)) {
+    /// Gives both balls of an overlapping pair their motions after an exchange, and tells it.
+    fn apply(&mut self, step: u64, overlap: usize, (one, two): (Motion, Motion)) {
         let time = step as f64 * self.settings.dt;
+        let (i, j) = self.overlaps.now()[overlap].pair;
         let balls = &mut self.balls;
         let (first, second) = (balls.scene_index[i], balls.scene_index[j]);
         let (before_i, before_j) = (balls.state(i), balls.state(j));
         let energy = balls.energy(i) + balls.energy(j);
         let mut taken = 0.0;
         for (ball, motion) in [(i, one), (j, two)] {
-            if balls.speed(ball) > 0.0 && !self.exchanged.contains(&ball) {
+            if balls.speed(ball) > 0.0 && self.exchanged_in[ball] != step + 1 {
+                self.exchanged_in[ball] = step + 1;
                 self.exchanged.push(ball);
             }
             let (planar, vertical) = motion.on_cloth();
@@ -295,26 +293,21 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let gained = balls.energy(i) + balls.energy(j) - energy;
         let lost = (after_i.velocity - before_i.velocity) * balls.mass[i]
             + (after_j.velocity - before_j.velocity) * balls.mass[j];
-        let known = self
-            .episodes
-            .iter_mut()
-            .find(|episode| episode.pair == (first, second));
-        let event = match known {
-            Some(episode) => {
-                episode.exchanges += 1;
+        let contact = self.overlaps.contact(overlap);
+        let event = match contact {
+            Some(contact) => {
+                contact.exchanges += 1;
                 self.recorder
-                    .set_exchanges(episode.event, episode.exchanges);
-                episode.event
+                    .set_exchanges(contact.event, contact.exchanges);
+                contact.event
             }
             None => {
                 let event = self
                     .recorder
                     .event(time, EventKind::ball_ball(first, second), Some(1));
-                self.episodes.push(Episode {
-                    pair: (first, second),
+                *contact = Some(overlaps::Contact {
                     event,
                     exchanges: 1,
-                    last_step: step,
                 });
                 event
             }
@@ -333,16 +326,6 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         if taken > 0.0 {
             self.recorder.energy_change(time, -taken, ball, other);
         }
-    }
-
-    /// How long each pair has overlapped without a break, in steps.
-    fn keep_overlap(&mut self, step: u64, pair: (usize, usize)) {
-        let entry = self.overlap_since.entry(pair).or_insert((step, step));
-        if entry.1 + 1 < step {
-            entry.0 = step;
-        }
-        entry.1 = step;
-        self.longest_overlap = self.longest_overlap.max(step - entry.0 + 1);
     }
 
     /// Balls that moved before this step's exchanges and have come out of them at rest.
@@ -388,7 +371,11 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 (end.spin, EventKind::SpinEnd(ball as u32)),
             ];
             let ended = kinds.into_iter().filter(|(ends, _)| *ends);
-            self.ended.extend(ended.map(|(_, kind)| (i, kind)));
+            self.ended.extend(ended.map(|(_, kind)| Ended {
+                ball: i,
+                kind,
+                told: false,
+            }));
             moving += usize::from(!self.balls.is_at_rest(i));
         }
         self.ending.clear();
@@ -397,73 +384,66 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// 4.: a ball past a wall is moved to it and that velocity component is turned inward.
     fn cushions(&mut self, step: u64) {
-        for w in 0..self.walls.len() {
-            let (side, limits) = &self.walls[w];
-            let coordinate = if side.axis() == 0 {
-                &self.balls.x
-            } else {
-                &self.balls.y
-            };
-            let mut any = false;
-            if side.sign() < 0 {
-                for (x, limit) in coordinate.iter().zip(limits) {
-                    any |= x < limit;
-                }
-            } else {
-                for (x, limit) in coordinate.iter().zip(limits) {
-                    any |= x > limit;
-                }
-            }
-            if any {
-                self.meet_wall(step, w);
-            }
+        if self.walls.look(&self.balls.x, &self.balls.y) {
+            self.meet_walls(step);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn meet_wall(&mut self, step: u64, wall: usize) {
+    fn meet_walls(&mut self, step: u64) {
         let Some(law) = self.scene.effects.cushion else {
             return;
         };
-        let time = step as f64 * self.settings.dt;
-        let (side, outward) = (self.walls[wall].0, f64::from(self.walls[wall].0.sign()));
-        for i in 0..self.balls.len() {
-            let limit = self.walls[wall].1[i];
-            let before = self.balls.state(i);
-            let beyond = outward * (before.position[side.axis()] - limit);
-            if beyond <= 0.0 {
-                continue;
-            }
-            let met = outward * before.velocity[side.axis()] > 0.0;
-            let energy = self.balls.energy(i);
-            let mut taken = 0.0;
-            if met {
-                self.tell_ended_of(i, time);
-                let rebound = cushion::impact(law, &self.balls.body(i), side);
-                let (planar, vertical) = rebound.motion.on_cloth();
-                self.balls.set_motion(i, &planar);
-                taken = self.balls.mass[i] * vertical;
-            }
-            if side.axis() == 0 {
-                self.balls.x[i] = limit;
-            } else {
-                self.balls.y[i] = limit;
-            }
-            let after = self.balls.state(i);
-            let ball = self.balls.scene_index[i];
-            let event = self.recorder.event(
-                time,
-                EventKind::BallCushion(ball as u32, side),
-                Some(u64::from(met)),
-            );
-            self.recorder.outside(time, beyond, ball);
-            self.recorder.jump(ball, time, &before, &after, event);
-            if met {
-                self.book(time, self.balls.energy(i) - energy, taken, ball, None);
-                if self.stays(i) {
-                    self.tell(i, EventKind::Stop(ball as u32), time);
+        for wall in 0..self.walls.count() {
+            for block in 0..self.walls.suspects() {
+                for i in self.walls.suspect(block, self.balls.len()) {
+                    self.meet_wall(step, law, wall, i);
                 }
+            }
+        }
+    }
+
+    /// Ball `i` against one wall, if it is past it.
+    fn meet_wall(&mut self, step: u64, law: Cushion, wall: usize, i: usize) {
+        let (side, limit) = self.walls.limit(wall, i);
+        let outward = f64::from(side.sign());
+        let beyond = outward * (self.balls.position(i)[side.axis()] - limit);
+        // what is not a number is past no wall
+        let past = beyond > 0.0;
+        if !past {
+            return;
+        }
+        let time = step as f64 * self.settings.dt;
+        let before = self.balls.state(i);
+        let met = outward * before.velocity[side.axis()] > 0.0;
+        let energy = self.balls.energy(i);
+        let mut taken = 0.0;
+        if met {
+            self.tell_ended_of(i, time);
+            let rebound = cushion::impact(law, &self.balls.body(i), side);
+            let (planar, vertical) = rebound.motion.on_cloth();
+            self.balls.set_motion(i, &planar);
+            taken = self.balls.mass[i] * vertical;
+        }
+        if side.axis() == 0 {
+            self.balls.x[i] = limit;
+        } else {
+            self.balls.y[i] = limit;
+        }
+        let after = self.balls.state(i);
+        let ball = self.balls.scene_index[i];
+        let event = self.recorder.event(
+            time,
+            EventKind::BallCushion(ball as u32, side),
+            Some(u64::from(met)),
+        );
+        self.recorder.outside(time, beyond, ball);
+        self.recorder.jump(ball, time, &before, &after, event);
+        if met {
+            self.book(time, self.balls.energy(i) - energy, taken, ball, None);
+            if self.stays(i) {
+                self.tell(i, EventKind::Stop(ball as u32), time);
             }
         }
     }
@@ -482,21 +462,28 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     /// What ended in this step: it has ended from the end of the step on.
     fn tell_ended(&mut self, time: f64) {
         for k in 0..self.ended.len() {
-            let (i, kind) = self.ended[k];
-            self.tell(i, kind, time);
+            self.tell_once(k, time);
         }
         self.ended.clear();
     }
 
     /// What ended in this step for one ball, before a wall begins something new.
     fn tell_ended_of(&mut self, ball: usize, time: f64) {
-        for k in 0..self.ended.len() {
-            let (i, kind) = self.ended[k];
-            if i == ball {
-                self.tell(i, kind, time);
+        let first = self.ended.partition_point(|ended| ended.ball < ball);
+        for k in first..self.ended.len() {
+            if self.ended[k].ball > ball {
+                break;
             }
+            self.tell_once(k, time);
         }
-        self.ended.retain(|(i, _)| *i != ball);
+    }
+
+    fn tell_once(&mut self, k: usize, time: f64) {
+        let Ended { ball, kind, told } = self.ended[k];
+        if !told {
+            self.ended[k].told = true;
+            self.tell(ball, kind, time);
+        }
     }
 
     /// Tells an event that changes nothing at its time: the end of a phase.
@@ -528,23 +515,19 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         let Some(pockets) = &self.scene.effects.pockets else {
             return;
         };
-        let mut i = 0;
-        while i < self.balls.len() {
+        self.leaving.clear();
+        for i in 0..self.balls.len() {
             let state = self.balls.state(i);
-            let Some(pocket) = pockets::holding(pockets, &state.position) else {
-                i += 1;
-                continue;
-            };
-            let ball = self.balls.scene_index[i];
-            self.recorder.pocket(ball, time, &state, pocket as u32);
-            self.balls.remove(i);
-            self.sizes.remove(i);
-            for (_, limits) in &mut self.walls {
-                limits.remove(i);
+            if let Some(pocket) = pockets::holding(pockets, &state.position) {
+                let ball = self.balls.scene_index[i];
+                self.recorder.pocket(ball, time, &state, pocket as u32);
+                self.leaving.push(i);
             }
-            let involves = |pair: (usize, usize)| pair.0 == ball || pair.1 == ball;
-            self.episodes.retain(|episode| !involves(episode.pair));
-            self.overlap_since.retain(|pair, _| !involves(*pair));
         }
+        self.balls.remove(&self.leaving);
+        self.sizes.remove(&self.leaving);
+        self.walls.remove(&self.leaving);
+        self.overlaps.remove(&self.leaving);
+        self.pairs.forget();
     }
 }
