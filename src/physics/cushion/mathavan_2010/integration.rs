@@ -39,7 +39,7 @@ impl Accuracy {
 /// be and count as none, and its work, which goes with the square, may be none that a number holds.
 const SLOW: f64 = 1e-9;
 
-/// Largest impulse, in units of the ball's speed, over which the forces of such an impact are taken to stay the same.
+/// Largest impulse, in units of the ball's speed, over which forces and speeds are taken to stay the same: the work is off by its square.
 const BRIEF: f64 = 1e-6;
 
 /// A ball that slows down to this speed while it leaves the cushion is held by it, in units of the ball's speed.
@@ -481,7 +481,8 @@ impl<T: Real> Integration<T> {
         }
     }
 
-    /// Takes away what is left of a slip: at the present rates as far as they do it, then by force.
+    /// Takes away what is left of a slip: at the present rates as far as they do it at once, then by force. Weak friction takes long to
+    /// end even such a slip, and over a long impulse the work is not that of the present speed.
     fn arrive(&mut self, contact: usize) {
         self.error += self.speed(contact);
         let rates = self.contacts.rates(&self.state, &self.modes);
@@ -489,7 +490,9 @@ impl<T: Real> Integration<T> {
         let closing = -dot(slip, rate);
         if closing > T::zero() {
             let impulse = dot(slip, slip) / closing;
-            self.state = std::array::from_fn(|i| self.state[i] + rates[i] * impulse);
+            if impulse.to_f64() < BRIEF {
+                self.state = std::array::from_fn(|i| self.state[i] + rates[i] * impulse);
+            }
         }
         self.still(contact);
     }

@@ -189,3 +189,44 @@ fn dual_numbers_carry_the_derivative_through_slipping_and_sticking() {
         }
     }
 }
+
+#[test]
+fn no_impact_adds_energy_beyond_its_stated_error() {
+    let energy =
+        |[vx, vy, sx, sy, sz]: [f64; 5]| vx * vx + vy * vy + 0.4 * (sx * sx + sy * sy + sz * sz);
+    for index in 0..3000 {
+        let mut draws = Draws::new(44, index);
+        let (mut numbers, mut start) = draw(&mut draws, index as usize);
+        numbers[3] = draws.between(0.1, 1.9);
+        // weak friction and slips that are next to none, with all of the work returned
+        for mu in &mut numbers[1..3] {
+            if draws.uniform() < 0.5 {
+                *mu = 10_f64.powf(draws.between(-12.0, -1.0));
+            } else {
+                *mu = mu.min(0.5);
+            }
+        }
+        if draws.uniform() < 0.5 {
+            numbers[0] = 1.0;
+        }
+        for value in &mut start[1..] {
+            if draws.uniform() < 0.5 {
+                *value *= 10_f64.powf(draws.between(-16.0, 0.0));
+            }
+        }
+        let (end, error) = rebound(numbers, start, Accuracy::F64);
+        let size = start.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let gained = energy(end) - energy(start);
+        // an error of each of five speeds, once for the error and once for its weight in the energy
+        let allowed = 5.0 * size * (2.0 * error + 1e-15 * size);
+        assert!(
+            gained <= allowed,
+            "{index}: {numbers:?} {start:?}: {gained:e} > {allowed:e}"
+        );
+        // what a slip that creeps neglects is a millionth at most
+        assert!(
+            error <= 1e-5 * size,
+            "{index}: {numbers:?} {start:?}: {error:e}"
+        );
+    }
+}
