@@ -209,6 +209,14 @@ impl<T: Real> Integration<T> {
         let mut reach = f64::INFINITY;
         while self.steps < MOST_STEPS {
             self.steps += 1;
+            // what was left of a slip may have been taken away beyond the goal
+            if is_past(goal, &self.state) {
+                if let Goal::Stopped = goal {
+                    self.error += self.state[0].abs().to_f64();
+                    self.state[0] = T::zero();
+                }
+                return true;
+            }
             let rates = self.contacts.rates(&self.state, &self.modes);
             if self.is_wedged(goal, &rates) {
                 self.error += self.state[0].abs().to_f64();

@@ -214,6 +214,18 @@ fn no_impact_adds_energy_beyond_its_stated_error() {
                 *value *= 10_f64.powf(draws.between(-16.0, 0.0));
             }
         }
+        // and slips that such friction ends within the impact, under a nose that does not turn the ball
+        if index % 3 == 0 {
+            numbers[1] = 10_f64.powf(draws.between(-12.0, -6.0));
+            numbers[3] = 1.0;
+            start = [
+                start[0],
+                0.0,
+                0.0,
+                0.0,
+                numbers[1] * draws.between(-3.0, 3.0),
+            ];
+        }
         let (end, error) = rebound(numbers, start, Accuracy::F64);
         let size = start.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         let gained = energy(end) - energy(start);
