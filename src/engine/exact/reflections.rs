@@ -161,7 +161,7 @@ impl<T: Real> Cluster<'_, T> {
         let counted = impulses.len() as f64;
         let part = keep_energy(&mass, &self.velocities, &mut velocities);
         for (_, impulse) in &mut impulses {
-            *impulse = *impulse * part;
+            *impulse *= part;
         }
         self.settle(&mut velocities, T::lift(CANCELLED * T::ULP * counted));
         Some(Shock {
