@@ -1,6 +1,6 @@
 //! The only place for arguments, environment, terminal, paths and Ctrl-C.
 //!
-//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 an expectation is not met, 2 it could not run.
+//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 something that must hold does not, 2 it could not run.
 
 mod arguments;
 mod compare;

@@ -339,3 +339,33 @@ fn lists_derive_from_the_registries() {
     assert_eq!(carom(&["--version"]).status.code(), Some(0));
     assert_eq!(carom(&["--help"]).status.code(), Some(0));
 }
+
+#[test]
+fn fuzz_exits_with_one_when_something_breaks_and_saves_the_scenes_that_show_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("found");
+    let saved = ["--save", out.to_str().unwrap()];
+    let holds = carom(&[&["fuzz", "--scenes", "20"], &saved[..]].concat());
+    assert_eq!(holds.status.code(), Some(0), "{}", text(&holds.stdout));
+    assert!(text(&holds.stdout).contains("held in 20 of 20 random scenes"));
+    assert!(files_in(&out).is_empty());
+    // 24 bits do not hold what 53 are held to
+    let narrow = ["--scenes", "30", "--engines", "exact:precision=f32"];
+    let breaks = carom(&[&["fuzz"], &narrow[..], &saved[..]].concat());
+    assert_eq!(breaks.status.code(), Some(1), "{}", text(&breaks.stdout));
+    let names = files_in(&out);
+    assert!(!names.is_empty());
+    for name in names {
+        // a saved scene is a scene, the one that `--show` prints
+        let index = name
+            .trim_start_matches("random-1-")
+            .trim_end_matches(".toml");
+        let shown = carom(&["fuzz", "--show", index]);
+        assert_eq!(shown.stdout, fs::read(out.join(&name)).unwrap(), "{name}");
+        let path = out.join(&name);
+        let checked = carom(&["scene", "check", path.to_str().unwrap()]);
+        assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stderr));
+    }
+    let read = carom(&["fuzz", "--inputs", "200"]);
+    assert_eq!(read.status.code(), Some(0), "{}", text(&read.stdout));
+}

@@ -29,8 +29,14 @@ const KEPT: usize = 1000;
 /// Random scenes among the examples.
 const EXAMPLES: u64 = 100;
 
-/// Catalogue scenes whose traces are examples: an ordinary one, and one with rotation and pockets.
-const TRACED: [&str; 2] = ["oblique", "ladder-pockets"];
+/// Catalogue scenes whose traces are examples, and the engine: small ones, with every kind of event among them.
+const TRACED: [(&str, &str); 5] = [
+    ("head-on", "exact"),
+    ("head-on", "stepper:dt=0.01"),
+    ("bank-side", "exact"),
+    ("bank-side", "stepper:dt=0.01"),
+    ("ladder-pockets", "exact"),
+];
 
 /// What reads an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,14 +110,13 @@ impl Examples {
             .map(|entry| entry.text.as_bytes().to_vec());
         let random = (0..EXAMPLES).filter_map(|index| adversarial(1, index).text().ok());
         let mut traces = Vec::new();
-        for name in TRACED {
+        for (name, list) in TRACED {
             let scene = catalogue::scene(name).ok()?;
-            for list in ["exact", "stepper:dt=0.01"] {
-                let column = Column::list(list).ok()?.pop()?;
-                let record = Record::Every(0.5);
-                let trace = matrix::run_one(&scene, &column, record, &Limits::NONE).ok()?;
-                traces.push(files::write(&trace).ok()?);
-            }
+            let column = Column::list(list).ok()?.pop()?;
+            // a cadence longer than the run: with certainty, where an engine states it, and without further samples
+            let record = Record::Every(scene.duration);
+            let trace = matrix::run_one(&scene, &column, record, &Limits::NONE).ok()?;
+            traces.push(files::write(&trace).ok()?);
         }
         Some(Examples {
             scenes: written.chain(random.map(String::into_bytes)).collect(),
