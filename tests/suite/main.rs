@@ -21,6 +21,7 @@ mod hard;
 mod horizon;
 mod laws;
 mod missed_collisions;
+mod mutants;
 mod perturb;
 mod precision;
 mod random;
