@@ -3,6 +3,7 @@
 //! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 an expectation is not met, 2 it could not run.
 
 mod arguments;
+mod check;
 mod compare;
 mod cost;
 mod effects;
@@ -16,6 +17,7 @@ mod run;
 pub mod scene;
 mod stability;
 mod terminal;
+mod versions;
 
 use crate::finding::Document;
 use arguments::{Arguments, Command};
@@ -111,6 +113,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
         Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
+        Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Stability(arguments)) => stability::stability(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),

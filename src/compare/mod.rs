@@ -20,7 +20,7 @@ pub use judge::{Overlap, deepest_overlap, worst_overlap};
 pub use stop_time::stop_times;
 pub use sweep::{Sweep, first_overlap, outside, sweep};
 
-use crate::finding::Finding;
+use crate::finding::{Finding, Hold};
 use crate::scene::Scene;
 use crate::trace::{Ending, Trace};
 
@@ -115,6 +115,8 @@ pub struct Metric {
     pub id: &'static str,
     /// Unit; empty for a count or a ratio. `R` is the scene's smallest radius.
     pub unit: &'static str,
+    /// How an accepted value is held.
+    pub hold: Hold,
     /// Meaning, in one sentence.
     pub what: &'static str,
     /// How it is measured.
@@ -143,6 +145,11 @@ pub const METRICS: &[Metric] = &[
     sanity::DISPLACED,
     sanity::UNEXPLAINED,
 ];
+
+/// The metric called `id`.
+pub fn metric(id: &str) -> Option<&'static Metric> {
+    METRICS.iter().find(|metric| metric.id == id)
+}
 
 /// Findings about one trace by itself. `engine`: label of the engine and its setting.
 pub fn of_trace(scene: &Scene, engine: &str, trace: &Trace) -> Vec<Finding> {
