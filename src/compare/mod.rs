@@ -9,9 +9,11 @@ mod divergence;
 mod final_position;
 mod judge;
 mod order;
+mod phase;
 mod sanity;
 mod stop_time;
 mod sweep;
+mod turned;
 
 pub use alignment::{Order, Parting, align};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
@@ -130,12 +132,16 @@ pub const METRICS: &[Metric] = &[
     final_position::FINAL_POSITION,
     final_position::UNTIL_PARTING,
     final_position::POCKETS,
+    turned::TURNED,
+    phase::PHASE_TIME,
+    phase::PHASES,
     order::STRICT,
     order::TOLERANT,
     order::COLLISIONS,
     order::MISSED,
     order::PHANTOM,
     order::LATE,
+    order::EXCHANGES,
     sanity::ENERGY_GAINED,
     sanity::ENERGY_LEFT_OUT,
     sanity::MOMENTUM,

@@ -56,3 +56,15 @@ pub const LATE: Metric = Metric {
     what: "collisions later than the reference's by more than the resolution",
     reads: Reads::Pair(|c| Measured::of_run(c.order.late as f64)),
 };
+
+/// Exchanges of velocities that the collisions tell of.
+pub const EXCHANGES: Metric = Metric {
+    id: "order-exchanges",
+    unit: "",
+    hold: Hold::Count,
+    what: "exchanges of velocities that the collisions of the trace tell of",
+    reads: Reads::Trace(|_, trace| {
+        let told = trace.collisions().filter_map(|event| event.exchanges);
+        Measured::of_run(told.sum::<u64>() as f64)
+    }),
+};
