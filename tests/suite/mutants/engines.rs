@@ -20,6 +20,8 @@ pub enum Fault {
     Scene(fn(&mut Scene)),
     /// It hands over another trace.
     Trace(fn(&Scene, &mut Trace)),
+    /// It runs with another setting.
+    Setting(&'static str, &'static str),
     /// A step of the report's model is another.
     Step(Slip),
 }
@@ -141,6 +143,11 @@ impl Run for Prepared<'_> {
                 let mut trace = self.right.simulate(record, limits);
                 change(self.scene, &mut trace);
                 trace
+            }
+            Fault::Setting(key, value) => {
+                let other = self.setting.with(key, value);
+                let run = self.of.prepare(self.scene, &other).unwrap();
+                run.simulate(record, limits)
             }
             Fault::Step(slip) => {
                 let settings: Settings = self.setting.read().unwrap();

@@ -333,6 +333,7 @@ impl Program<'_> {
         }
         let friction = self.scene.effects.friction;
         let friction = friction.filter(|_| !separating && self.slip != Slip::ThrowOff);
+        let law = self.slip.contact(law);
         let smooth = law == (Contact::Elastic {}) && friction.is_none();
         let equal = a.mass == b.mass || self.slip == Slip::MassIgnored;
         let (one, two) = if smooth && equal {
@@ -347,7 +348,7 @@ impl Program<'_> {
             )
         } else {
             let n = Vec3::new(-n.x, -n.y, 0.0);
-            contact::impact(self.slip.contact(law), friction, &a.body(), &b.body(), &n)
+            contact::impact(law, friction, &a.body(), &b.body(), &n)
         };
         let (one, two) = (self.slip.after_hit(one), self.slip.after_hit(two));
         let before = |ball: &Ball| Motion {
@@ -493,7 +494,8 @@ impl Program<'_> {
         let roll_step = mu.mu_roll * gravity * dt;
         let spin_ends = w.z != 0.0 && w.z.abs() <= spin_step;
         let slides_on = ball.slides && slip.norm() > slip_step;
-        let rolls_on = !ball.slides && !(v != Vec3::zeros() && v.norm() <= roll_step);
+        let stops = v != Vec3::zeros() && v.norm() <= roll_step;
+        let rolls_on = !(ball.slides || stops);
         let sliding = || {
             let mut rates = rotational::sliding(&slip, &w, radius, mu, gravity);
             if self.slip == Slip::RollAtFourSevenths {

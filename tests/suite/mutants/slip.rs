@@ -21,6 +21,8 @@ pub enum Slip {
     ContactToldLate,
     StaleContact,
     EnergyLeaks,
+    NotQuiteElastic,
+    SpinningDoubled,
     WallMissing,
     FrictionOnOneAxis,
     SpinReversed,
@@ -31,6 +33,7 @@ pub enum Slip {
     PocketMissed,
     PairsReversed,
     WallsFirst,
+    CornerReversed,
     WallForgetsPlace,
     RollingDoubled,
     StepDoubled,
@@ -40,7 +43,7 @@ pub enum Slip {
 /// Angle by which a normal is turned: a tenth of a degree, rad.
 const TURNED: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
-/// Part of the kinetic energy that leaks in each hit.
+/// Part of the kinetic energy that leaks in each hit; what is missing in a restitution of 1.
 const LEAK: f64 = 1e-6;
 
 /// Speed below which an early sleeper sleeps, length/s: a thousandth of a usual shot.
@@ -62,6 +65,7 @@ impl Slip {
     pub fn contact(self, law: Contact) -> Contact {
         match (self, law) {
             (Slip::RestitutionSquared, Contact::Inelastic { e }) => Contact::Inelastic { e: e * e },
+            (Slip::NotQuiteElastic, Contact::Elastic {}) => Contact::Inelastic { e: 1.0 - LEAK },
             _ => law,
         }
     }
@@ -111,6 +115,9 @@ impl Slip {
         if self == Slip::RollingDoubled {
             mu.mu_roll *= 2.0;
         }
+        if self == Slip::SpinningDoubled {
+            mu.mu_spin *= 2.0;
+        }
         mu
     }
 
@@ -141,6 +148,10 @@ impl Slip {
     /// The walls that are there.
     pub fn walls(self) -> Vec<Side> {
         let there = |side: &Side| !(self == Slip::WallMissing && *side == Side::X1);
-        Side::ALL.into_iter().filter(there).collect()
+        let mut walls: Vec<Side> = Side::ALL.into_iter().filter(there).collect();
+        if self == Slip::CornerReversed {
+            walls.reverse();
+        }
+        walls
     }
 }
