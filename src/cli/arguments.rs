@@ -61,6 +61,11 @@ pub enum Command {
     /// Exits with 1 if a promised invariant does not hold or anything is not as accepted, in either direction; with 2 if it did not
     /// run to its end, or a baseline is missing or malformed.
     Check(CheckArguments),
+    /// Say what of two result folders is not the same beyond tolerance: two versions of an engine, two machines, two settings.
+    ///
+    /// Folders of `carom run --out` of one scene, or of baselines that `carom check --accept --baseline` wrote. Exits with 1 if
+    /// something differs, with 2 if a folder cannot be read.
+    Diff(DiffArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -301,6 +306,23 @@ pub struct CheckArguments {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom diff`.
+#[derive(Debug, Args)]
+pub struct DiffArguments {
+    /// The folder to hold the other one against.
+    #[arg(value_name = "A")]
+    pub first: PathBuf,
+    /// The other one.
+    #[arg(value_name = "B")]
+    pub second: PathBuf,
+    /// The scene of both runs, if it is none of the catalogue.
+    #[arg(long, value_name = "FILE")]
+    pub scene: Option<String>,
+    /// How to print what differs.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }

@@ -6,6 +6,7 @@ mod arguments;
 mod check;
 mod compare;
 mod cost;
+mod diff;
 mod effects;
 mod engines;
 mod ensemble;
@@ -114,6 +115,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
         Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
         Some(Command::Check(arguments)) => check::check(&arguments),
+        Some(Command::Diff(arguments)) => diff::diff(&arguments),
         Some(Command::Stability(arguments)) => stability::stability(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),

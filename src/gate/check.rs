@@ -149,7 +149,7 @@ impl Held {
         let unit = unit_of(&row.check);
         let figure = |row: &Row| match (row.value, row.verdict) {
             (_, Some(verdict)) => verdict.id().to_owned(),
-            (Some(value), None) => format!("{value:?} {unit}").trim_end().to_owned(),
+            (Some(value), None) => format!("{} {unit}", digits(value)).trim_end().to_owned(),
             (None, None) => "no number".to_owned(),
         };
         let what = format!("{} {}", row.check, row.subject);
@@ -196,5 +196,15 @@ impl Held {
             accepted.reason,
             versions.join(", ")
         )
+    }
+}
+
+/// Ten significant digits: more than any figure may move by without being told.
+fn digits(value: f64) -> String {
+    let rounded = format!("{value:.9e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-4..1e7).contains(&f64::abs(rounded)) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
     }
 }

@@ -54,14 +54,15 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     drop(progress);
     let held = Held::new(outcome, accepted, unread);
     write(&held, arguments)?;
-    let mut shown = document(&held, folder, summary, MOST_CHANGES);
+    let listed = arguments.format == "text";
+    let mut shown = document(&held, folder, summary, MOST_CHANGES, listed);
     if arguments.verbose {
         shown.blocks.push(Block::Table(bounds()));
     }
     let printed = publish(
         &shown,
         &arguments.format,
-        || document(&held, folder, page, usize::MAX),
+        || document(&held, folder, page, usize::MAX, false),
         arguments.out.as_deref(),
     )?;
     // wall time only advises
@@ -137,8 +138,9 @@ fn unread(folder: &Path, files: &[PathBuf]) -> Vec<String> {
 /// Writes a document of a check; the function says how many findings of a scene, engine and level changed.
 type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> usize) -> Document;
 
-/// A document with what differs in it, after its opening.
-fn document(held: &Held, folder: &Path, write: Writer, most: usize) -> Document {
+/// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
+/// table of them.
+fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
     let changed = |scene: &str, engine: &str, level| held.changes_of(scene, engine, level).count();
     let mut document = write(&held.outcome, &changed);
     let mut opening = vec![Block::Text(sentence(held, folder))];
@@ -155,7 +157,14 @@ fn document(held: &Held, folder: &Path, write: Writer, most: usize) -> Document 
         opening.push(Block::Text("Promises that do not hold:".to_owned()));
         opening.push(Block::List(held.outcome.broken.iter().map(line).collect()));
     }
-    if !held.changes.is_empty() {
+    if listed && !held.changes.is_empty() {
+        let some = held.changes.iter().take(most);
+        let mut lines: Vec<String> = some.map(|l| held.sentence(&l.scene, &l.change)).collect();
+        if held.changes.len() > most {
+            lines.push(format!("{} more are not shown", held.changes.len() - most));
+        }
+        opening.push(Block::List(lines));
+    } else if !held.changes.is_empty() {
         opening.push(Block::Table(gate::changes_table(&held.changes, most)));
     }
     document.blocks.splice(0..0, opening);
@@ -212,7 +221,7 @@ fn write(held: &Held, arguments: &CheckArguments) -> Result<(), Failure> {
     }
     let summary_file = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
     if arguments.markdown.is_some() || summary_file.is_some() {
-        let document = document(held, folder, summary, MOST_IN_SUMMARY);
+        let document = document(held, folder, summary, MOST_IN_SUMMARY, false);
         let text = report::render(&document, "markdown").unwrap_or_default();
         if let Some(file) = &arguments.markdown {
             output::write_file(file, text.as_bytes())?;

@@ -10,12 +10,14 @@ mod distribution;
 mod held;
 mod oracle;
 mod page;
+mod pair;
 mod promises;
 
 pub use distribution::{SAMPLES, SEED};
 pub use held::{HELD, Held, hold, level, tolerance, unit_of, what};
 pub use oracle::ORACLE;
 pub use page::{bounds, page, summary};
+pub use pair::{between, ulp_of};
 pub use promises::Broken;
 
 use super::ensemble::Landing;
