@@ -56,6 +56,16 @@ pub enum Command {
     Fuzz(FuzzArguments),
     /// Run every hard case on every engine and say what holds, what drifts, what breaks; hold it against what was accepted.
     Stability(StabilityArguments),
+    /// Run the scenes of the gate in every engine and hold what is found against validation/baselines.
+    ///
+    /// Exits with 1 if a promised invariant does not hold or anything is not as accepted, in either direction; with 2 if it did not
+    /// run to its end, or a baseline is missing or malformed.
+    Check(CheckArguments),
+    /// Say what of two result folders is not the same beyond tolerance: two versions of an engine, two machines, two settings.
+    ///
+    /// Folders of `carom run --out` of one scene, or of baselines that `carom check --accept --baseline` wrote. Exits with 1 if
+    /// something differs, with 2 if a folder cannot be read.
+    Diff(DiffArguments),
     /// List the engines and the settings of each.
     Engines {
         /// How to print it.
@@ -264,6 +274,55 @@ pub struct FuzzArguments {
     #[arg(long, value_name = "DIR")]
     pub save: Option<PathBuf>,
     /// How to print it.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// Scenes: catalogue names or files. Without any: the set `gate`.
+    pub scenes: Vec<String>,
+    /// Folder of the baselines, one CSV file a scene. The default is looked for below the current folder.
+    #[arg(long, value_name = "DIR", default_value = "validation/baselines")]
+    pub baseline: PathBuf,
+    /// Accept what is found: show old and new, write the files of the scenes in which something changed. Refused while a promised
+    /// invariant is broken.
+    #[arg(long, requires = "reason")]
+    pub accept: bool,
+    /// Why it is accepted; written into the files.
+    #[arg(long, value_name = "WHY", requires = "accept")]
+    pub reason: Option<String>,
+    /// Write JUnit XML: one case a scene, engine and level.
+    #[arg(long, value_name = "FILE")]
+    pub junit: Option<PathBuf>,
+    /// Write a Markdown summary. It is appended to the file that GITHUB_STEP_SUMMARY names as well.
+    #[arg(long, value_name = "FILE")]
+    pub markdown: Option<PathBuf>,
+    /// Also print by how much each metric may move, and why.
+    #[arg(long)]
+    pub verbose: bool,
+    /// Folder for the page, with every change and every bound.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary.
+    #[arg(long, value_parser = formats(), default_value = "text")]
+    pub format: String,
+}
+
+/// Arguments of `carom diff`.
+#[derive(Debug, Args)]
+pub struct DiffArguments {
+    /// The folder to hold the other one against.
+    #[arg(value_name = "A")]
+    pub first: PathBuf,
+    /// The other one.
+    #[arg(value_name = "B")]
+    pub second: PathBuf,
+    /// The scene of both runs, if it is none of the catalogue.
+    #[arg(long, value_name = "FILE")]
+    pub scene: Option<String>,
+    /// How to print what differs.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
 }

@@ -3,8 +3,10 @@
 //! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 something that must hold does not, 2 it could not run.
 
 mod arguments;
+mod check;
 mod compare;
 mod cost;
+mod diff;
 mod effects;
 mod engines;
 mod ensemble;
@@ -16,6 +18,7 @@ mod run;
 pub mod scene;
 mod stability;
 mod terminal;
+mod versions;
 
 use crate::finding::Document;
 use arguments::{Arguments, Command};
@@ -111,6 +114,8 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
         Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
+        Some(Command::Check(arguments)) => check::check(&arguments),
+        Some(Command::Diff(arguments)) => diff::diff(&arguments),
         Some(Command::Stability(arguments)) => stability::stability(&arguments),
         Some(Command::Engines { format }) => engines::engines(format),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),

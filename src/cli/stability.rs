@@ -1,8 +1,7 @@
 //! `carom stability`.
 
 use super::arguments::{StabilityArguments, parse_engines};
-use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal};
-use crate::engine::ENGINES;
+use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Refused, Row, Standing};
 use crate::scene::{Scene, catalogue};
@@ -290,7 +289,8 @@ impl Held {
                 scene: scene.name.clone(),
                 hash: scene.hash(),
                 reason: reason.to_owned(),
-                versions: versions(),
+                versions: versions::of_engines(),
+                bits: Vec::new(),
                 rows: self.rows(index),
             };
             output::write_file(&files[index], gate::write(&accepted).as_bytes())?;
@@ -365,17 +365,4 @@ impl Held {
             self.folder.display()
         ))
     }
-}
-
-/// What gave the findings.
-fn versions() -> Vec<(String, String)> {
-    let own = ("carom".to_owned(), env!("CARGO_PKG_VERSION").to_owned());
-    let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
-    let engines = ENGINES
-        .iter()
-        .map(|engine| (engine.id().to_owned(), engine.version()));
-    std::iter::once(own)
-        .chain(engines)
-        .chain([("target".to_owned(), target)])
-        .collect()
 }

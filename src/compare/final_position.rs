@@ -1,11 +1,13 @@
 //! Where each ball ended.
 
 use super::{Comparison, Measured, Metric, Reads, attribution};
+use crate::finding::Hold;
 
 /// Distance between the final positions of each ball.
 pub const FINAL_POSITION: Metric = Metric {
     id: "final-position",
     unit: "R",
+    hold: Hold::Figure,
     what: "distance between the final positions of each ball",
     reads: Reads::Pair(|c| {
         let distances = attribution::distances_at_end(c.trace, c.reference);
@@ -22,6 +24,7 @@ pub const FINAL_POSITION: Metric = Metric {
 pub const UNTIL_PARTING: Metric = Metric {
     id: "until-parting",
     unit: "R",
+    hold: Hold::Figure,
     what: "largest distance of a ball at any time before the collision orders part, and before the horizon",
     reads: Reads::Pair(|c: &Comparison<'_>| {
         let parting = c.parting_time().unwrap_or(f64::INFINITY);
@@ -34,6 +37,7 @@ pub const UNTIL_PARTING: Metric = Metric {
 pub const POCKETS: Metric = Metric {
     id: "pocket-disagreements",
     unit: "",
+    hold: Hold::Count,
     what: "balls that fell into another pocket, or in only one of the two",
     reads: Reads::Pair(|c: &Comparison<'_>| {
         let differ = (0..c.trace.balls.len())

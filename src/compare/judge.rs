@@ -1,6 +1,7 @@
 //! An opinion on overlap that is neither the engine's nor ours: parry's.
 
 use super::{Measured, Metric, Reads};
+use crate::finding::Hold;
 use crate::math::worse;
 use crate::physics::State;
 use crate::scene::Scene;
@@ -13,6 +14,7 @@ use parry3d_f64::shape::Ball;
 pub const OVERLAP_BY_PARRY: Metric = Metric {
     id: "overlap-by-parry",
     unit: "R",
+    hold: Hold::Figure,
     what: "deepest overlap of two balls that parry sees at the knots of the trace",
     reads: Reads::Trace(|scene, trace| {
         Measured::of_run(deepest_overlap(scene, trace) / scene.smallest_radius())

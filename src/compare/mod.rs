@@ -9,9 +9,11 @@ mod divergence;
 mod final_position;
 mod judge;
 mod order;
+mod phase;
 mod sanity;
 mod stop_time;
 mod sweep;
+mod turned;
 
 pub use alignment::{Order, Parting, align};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
@@ -20,7 +22,7 @@ pub use judge::{Overlap, deepest_overlap, worst_overlap};
 pub use stop_time::stop_times;
 pub use sweep::{Sweep, first_overlap, outside, sweep};
 
-use crate::finding::Finding;
+use crate::finding::{Finding, Hold};
 use crate::scene::Scene;
 use crate::trace::{Ending, Trace};
 
@@ -115,6 +117,8 @@ pub struct Metric {
     pub id: &'static str,
     /// Unit; empty for a count or a ratio. `R` is the scene's smallest radius.
     pub unit: &'static str,
+    /// How an accepted value is held.
+    pub hold: Hold,
     /// Meaning, in one sentence.
     pub what: &'static str,
     /// How it is measured.
@@ -128,12 +132,16 @@ pub const METRICS: &[Metric] = &[
     final_position::FINAL_POSITION,
     final_position::UNTIL_PARTING,
     final_position::POCKETS,
+    turned::TURNED,
+    phase::PHASE_TIME,
+    phase::PHASES,
     order::STRICT,
     order::TOLERANT,
     order::COLLISIONS,
     order::MISSED,
     order::PHANTOM,
     order::LATE,
+    order::EXCHANGES,
     sanity::ENERGY_GAINED,
     sanity::ENERGY_LEFT_OUT,
     sanity::MOMENTUM,
@@ -143,6 +151,11 @@ pub const METRICS: &[Metric] = &[
     sanity::DISPLACED,
     sanity::UNEXPLAINED,
 ];
+
+/// The metric called `id`.
+pub fn metric(id: &str) -> Option<&'static Metric> {
+    METRICS.iter().find(|metric| metric.id == id)
+}
 
 /// Findings about one trace by itself. `engine`: label of the engine and its setting.
 pub fn of_trace(scene: &Scene, engine: &str, trace: &Trace) -> Vec<Finding> {

@@ -1,6 +1,7 @@
 //! What a trace says against itself: energy, momentum, overlap, bounds, motion that its events do not explain.
 
 use super::{Measured, Metric, Reads};
+use crate::finding::Hold;
 use crate::math::{Vec3, worse};
 use crate::physics::State;
 use crate::scene::Scene;
@@ -10,6 +11,7 @@ use crate::trace::Trace;
 pub const ENERGY_GAINED: Metric = Metric {
     id: "energy-gained",
     unit: "E0",
+    hold: Hold::Figure,
     what: "largest rise of kinetic energy above an earlier level, in the initial energy",
     reads: Reads::Trace(|scene, trace| {
         Measured::of_run(ratio(
@@ -23,6 +25,7 @@ pub const ENERGY_GAINED: Metric = Metric {
 pub const ENERGY_LEFT_OUT: Metric = Metric {
     id: "energy-at-end",
     unit: "E0",
+    hold: Hold::Figure,
     what: "difference of the kinetic energies at the end, in the initial energy",
     reads: Reads::Pair(|c| {
         let energy = |trace: &Trace| -> f64 {
@@ -45,6 +48,7 @@ pub const ENERGY_LEFT_OUT: Metric = Metric {
 pub const MOMENTUM: Metric = Metric {
     id: "momentum",
     unit: "m v0",
+    hold: Hold::Figure,
     what: "largest change of momentum in a ball-ball impact, in the largest mass x the largest initial speed",
     reads: Reads::Trace(|scene, trace| {
         let mass = scene.balls.iter().map(|ball| ball.mass).fold(0.0, f64::max);
@@ -59,6 +63,7 @@ pub const MOMENTUM: Metric = Metric {
 pub const OVERLAP: Metric = Metric {
     id: "overlap",
     unit: "R",
+    hold: Hold::Figure,
     what: "deepest overlap of two balls, as the engine recorded it",
     reads: Reads::Trace(|scene, trace| of_radius(scene, trace.extrema.overlap.value)),
 };
@@ -67,6 +72,7 @@ pub const OVERLAP: Metric = Metric {
 pub const OUTSIDE: Metric = Metric {
     id: "outside",
     unit: "R",
+    hold: Hold::Figure,
     what: "farthest that a centre was beyond where the cushions let it be",
     reads: Reads::Trace(|scene, trace| of_radius(scene, trace.extrema.outside.value)),
 };
@@ -75,6 +81,7 @@ pub const OUTSIDE: Metric = Metric {
 pub const DISPLACED: Metric = Metric {
     id: "displaced",
     unit: "R",
+    hold: Hold::Figure,
     what: "largest jump of a position at one time",
     reads: Reads::Trace(|scene, trace| {
         let seen = trace
@@ -90,6 +97,7 @@ pub const DISPLACED: Metric = Metric {
 pub const UNEXPLAINED: Metric = Metric {
     id: "unexplained",
     unit: "R",
+    hold: Hold::Figure,
     what: "largest motion between two knots that their velocities do not explain",
     reads: Reads::Trace(|scene, trace| of_radius(scene, trace.unexplained())),
 };

@@ -1,11 +1,13 @@
 //! When each ball came to rest.
 
 use super::{Comparison, Measured, Metric, Reads};
+use crate::finding::Hold;
 
 /// Difference of the stop times of each ball.
 pub const STOP_TIME: Metric = Metric {
     id: "stop-time",
     unit: "s",
+    hold: Hold::Figure,
     what: "difference of the times at which each ball came to rest; empty where only one of the two stopped",
     reads: Reads::Pair(stop_times),
 };
@@ -14,6 +16,7 @@ pub const STOP_TIME: Metric = Metric {
 pub const STILL_MOVING: Metric = Metric {
     id: "stop-disagreements",
     unit: "",
+    hold: Hold::Count,
     what: "balls that came to rest in only one of the two",
     reads: Reads::Pair(|c| {
         let (ours, theirs) = (&c.trace.stop_times, &c.reference.stop_times);

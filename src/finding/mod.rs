@@ -9,7 +9,7 @@ mod verdict;
 pub use document::{
     Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
 };
-pub use verdict::{Tolerance, Verdict};
+pub use verdict::{Hold, Tolerance, Verdict};
 
 use serde::Serialize;
 

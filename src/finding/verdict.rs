@@ -78,6 +78,48 @@ impl Tolerance {
     }
 }
 
+/// How an accepted value is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// To the last one: a count is the same on every target, or something happened.
+    Count,
+    /// Within grown rounding.
+    ///
+    /// One target gives the same bits for any number of threads, in debug and release. Another may round a sine or a fused product
+    /// otherwise: one ulp, which growth multiplies. 2^22 ulp are 1e-9 in f64; in f32, where that would be all, 2^10 ulp are 1.2e-4. Figures below
+    /// 1 are held as if they were 1, since most are differences of such numbers.
+    Figure,
+}
+
+impl Hold {
+    /// By how much a value may move in an engine with rounding `ulp`.
+    pub fn tolerance(self, ulp: f64) -> Tolerance {
+        let grown = if ulp > f64::EPSILON {
+            1024.0
+        } else {
+            4_194_304.0
+        };
+        match self {
+            Hold::Count => Tolerance::None,
+            Hold::Figure => Tolerance::Relative {
+                part: grown * ulp,
+                above: 1.0,
+            },
+        }
+    }
+
+    /// Why, in one sentence.
+    pub fn why(self) -> &'static str {
+        match self {
+            Hold::Count => "a count is the same on every target",
+            Hold::Figure => {
+                "one target gives the same bits; another rounds a sine otherwise, which growth multiplies: 2^22 ulp in f64, 2^10 in f32, \
+                 relative to the figure or to 1"
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Tolerance, Verdict};

@@ -22,8 +22,26 @@ pub struct Accepted {
     pub reason: String,
     /// What gave them: names and versions.
     pub versions: Vec<(String, String)>,
+    /// Digest of each engine's run, by label: equal ones mean equal bits. They only inform.
+    pub bits: Vec<(String, String)>,
     /// The findings.
     pub rows: Vec<Row>,
+}
+
+impl Accepted {
+    /// The line of a finding in its file, from 1; that of the column names for one that is not there.
+    pub fn line(&self, address: [&str; 3]) -> usize {
+        // a title, scene, hash and reason, the lists, the column names
+        let header = 1 + 3 + self.versions.len() + self.bits.len() + 1;
+        let row = self.rows.iter().position(|row| row.address() == address);
+        row.map_or(header, |row| header + row + 1)
+    }
+
+    /// The version of something; empty where it is not known.
+    pub fn version(&self, of: &str) -> &str {
+        let own = self.versions.iter().find(|(name, _)| name == of);
+        own.map_or("", |(_, version)| version)
+    }
 }
 
 /// What is wrong with a file, and where.
@@ -47,6 +65,9 @@ pub fn write(accepted: &Accepted) -> String {
     entry("reason", &accepted.reason);
     for (name, version) in &accepted.versions {
         entry(&format!("version of {name}"), version);
+    }
+    for (engine, digest) in &accepted.bits {
+        entry(&format!("bits of {engine}"), digest);
     }
     text += &format!("{}\n", HEADER.join(","));
     for row in &accepted.rows {
@@ -75,9 +96,16 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
         let Some((key, value)) = entry else {
             return Err(wrong(line, "expected `# KEY: VALUE`".to_owned()));
         };
-        match key.strip_prefix("version of ") {
-            Some(name) => accepted.versions.push((name.to_owned(), value.to_owned())),
-            None => match key {
+        let named = |list: &mut Vec<(String, String)>, name: &str| {
+            list.push((name.to_owned(), value.to_owned()));
+        };
+        match (
+            key.strip_prefix("version of "),
+            key.strip_prefix("bits of "),
+        ) {
+            (Some(name), _) => named(&mut accepted.versions, name),
+            (None, Some(engine)) => named(&mut accepted.bits, engine),
+            (None, None) => match key {
                 "scene" => accepted.scene = value.to_owned(),
                 "hash" => accepted.hash = value.to_owned(),
                 "reason" => accepted.reason = value.to_owned(),
@@ -217,6 +245,7 @@ mod tests {
             scene: "cradle".to_owned(),
             hash: "0123".to_owned(),
             reason: "first: as measured".to_owned(),
+            bits: vec![("exact".to_owned(), "00ff".to_owned())],
             versions: vec![("rapier-f64".to_owned(), "some name 0.36.1".to_owned())],
             rows: vec![
                 row("exact", Some(0.1 + 0.2), Some(Verdict::Holds)),

@@ -4,11 +4,13 @@
 //! a number that left its tolerance, in either direction, another verdict, a finding that vanished and one that appeared are changes alike.
 //! What is accepted may be a break: then the break is what is expected. Reads and writes text; files are for `cli`.
 
+mod check;
 mod decision;
 mod diff;
 mod file;
 mod words;
 
+pub use check::{Bits, Held};
 pub use decision::{Decision, Refused, Standing};
 pub use diff::{Change, Kind, diff};
 pub use file::{Accepted, Malformed, read, write};

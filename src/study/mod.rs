@@ -1,5 +1,6 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
+pub mod check;
 pub mod claims;
 pub mod compare;
 pub mod cost;

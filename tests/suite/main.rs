@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 mod architecture;
+mod check;
 mod claims;
 mod cli;
 mod compare;
@@ -21,6 +22,7 @@ mod hard;
 mod horizon;
 mod laws;
 mod missed_collisions;
+mod mutants;
 mod perturb;
 mod precision;
 mod random;

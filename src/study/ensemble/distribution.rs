@@ -68,7 +68,8 @@ impl Quantity {
         }
     }
 
-    fn of(self, landing: &Landing, ball: usize) -> Option<f64> {
+    /// Its value in one landing; `None` where the ball left play, or still moves.
+    pub fn of(self, landing: &Landing, ball: usize) -> Option<f64> {
         match self {
             Quantity::X => landing.at[ball].map(|[x, _]| x),
             Quantity::Y => landing.at[ball].map(|[_, y]| y),

@@ -3,15 +3,16 @@
 use super::images::{is_reversible, mirror, mirrored, relabelled, reversed};
 use super::oracle::{Allowance, Oracle};
 use super::plan::{MOST_EVENTS, Planned};
-use super::rules::{Evidence, Judgement, Place, RULES, Rule};
+use super::rules::{Evidence, Judgement, Place, RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
 use crate::engine::Role;
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
 use crate::math::{Vec3, worse};
 use crate::physics::State;
+use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::table_picture;
-use crate::study::matrix::{Cell, Ran, Runner};
+use crate::study::matrix::{Cell, Column, Ran, Runner};
 use crate::trace::{Ending, Record, Trace};
 
 /// The finding that is the verdict of a run.
@@ -113,6 +114,17 @@ impl Judged {
     }
 }
 
+/// A run, what the rules say of it, and what rounding makes of it.
+#[derive(Clone, Debug)]
+pub struct Examined {
+    /// What ran.
+    pub ran: Ran,
+    /// What the rules say.
+    pub judged: Judged,
+    /// Rounding grown over the whole run, R; infinite where its growth is not known.
+    pub rounding: f64,
+}
+
 /// Runs a cell and its images and judges them.
 pub fn run(
     scene: &Scene,
@@ -129,15 +141,37 @@ pub fn run(
         (true, true) => Record::Every(scene.duration / SAMPLES),
     };
     let column = &planned.column;
+    let examined = match examine(scene, column, oracle, record, &|_| true, runner) {
+        Ok(examined) => examined,
+        Err(why) => return Judged::refused(why),
+    };
+    let mut judged = examined.judged;
+    let own_step = !matches!(planned.role, super::plan::Role::Step(..));
+    if picture && own_step && judged.verdict == Verdict::Breaks && events {
+        judged.picture = Some(draw(scene, &column.label(), &examined.ran.trace, &judged));
+    }
+    judged
+}
+
+/// Runs a scene in a column, and those of its images that are `wanted`, and judges them. Errors: why nothing ran.
+pub fn examine(
+    scene: &Scene,
+    column: &Column,
+    oracle: Option<&Oracle>,
+    record: Record,
+    wanted: &dyn Fn(Invariant) -> bool,
+    runner: Runner<'_>,
+) -> Result<Examined, String> {
+    let events = !matches!(record, Record::Final);
     let ran = match runner.run(scene, column, record) {
         Ok(ran) => ran,
-        Err(refusal) => return Judged::refused(refusal.to_string()),
+        Err(refusal) => return Err(refusal.to_string()),
     };
     // a run that could not begin: its numbers are beyond the scalar
     if let Ending::NotFinite(spot) = &ran.trace.ending
         && spot.time == 0.0
     {
-        return Judged::refused(spot.why.clone());
+        return Err(spot.why.clone());
     }
     let short = if events {
         Record::Events
@@ -155,11 +189,14 @@ pub fn run(
             order,
         )
     };
-    let mirror = image(&mirrored(scene), mirror, &everything);
-    let relabelled = (scene.balls.len() > 1)
+    let mirror = wanted(Invariant::Mirror)
+        .then(|| image(&mirrored(scene), mirror, &everything))
+        .flatten();
+    let relabelled = (scene.balls.len() > 1 && wanted(Invariant::Relabelling))
         .then(|| image(&relabelled(scene), |state| *state, &backward))
         .flatten();
-    let reversal = (is_reversible(scene) && ran.trace.ending == Ending::Duration)
+    let reversible = is_reversible(scene) && ran.trace.ending == Ending::Duration;
+    let reversal = (reversible && wanted(Invariant::TimeReversal))
         .then(|| reversed(scene, &ran.trace))
         .flatten()
         .and_then(|back| from_start(scene, runner.run(&back, column, short)));
@@ -176,12 +213,14 @@ pub fn run(
         relabelled,
         reversal,
     };
-    let mut judged = judge(&evidence);
-    let own_step = !matches!(planned.role, super::plan::Role::Step(..));
-    if picture && own_step && judged.verdict == Verdict::Breaks && events {
-        judged.picture = Some(draw(scene, &column.label(), &ran.trace, &judged));
-    }
-    judged
+    let judged = judge(&evidence);
+    let rounding = rounding_grown(&evidence);
+    drop(evidence);
+    Ok(Examined {
+        judged,
+        ran,
+        rounding,
+    })
 }
 
 /// Lets every rule judge, and the worst verdict speak.
@@ -252,7 +291,7 @@ fn comparison<'a>(
 /// Largest distance of a ball's end from where its image ends, R. `order`: whose image each ball of the image is.
 ///
 /// Infinite where the image ends otherwise, or another ball leaves play; `None` where either run has no end.
-fn apart(
+pub fn apart(
     scene: &Scene,
     trace: &Trace,
     image: Cell,

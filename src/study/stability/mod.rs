@@ -14,7 +14,7 @@ mod rules;
 mod tables;
 mod words;
 
-pub use cell::{Judged, VERDICT, judge};
+pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
 pub use images::{is_reversible, mirrored, relabelled, reversed};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
@@ -24,7 +24,7 @@ pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
 use super::matrix::{Column, Task, Watch, run_tasks};
 use crate::engine::Engine;
 use crate::engine::exact::Exact;
-use crate::finding::{Finding, Tolerance, Verdict};
+use crate::finding::{Finding, Hold, Tolerance, Verdict};
 use crate::scene::Scene;
 
 /// Most events of an event-driven run: a hard case that needs more is not one that a person waits for.
@@ -117,7 +117,8 @@ pub fn study(question: Question, watch: Watch<'_>) -> Result<Outcome, PlanError>
     })
 }
 
-fn ask_oracles(scenes: &[Scene], watch: Watch<'_>) -> Vec<Option<Oracle>> {
+/// What the exact engine knows of each scene; `None` where it cannot be asked, or was stopped.
+pub fn ask_oracles(scenes: &[Scene], watch: Watch<'_>) -> Vec<Option<Oracle>> {
     let tasks: Vec<Task> = scenes
         .iter()
         .map(|scene| Task {
@@ -203,7 +204,7 @@ impl Outcome {
         match (check, rule(check)) {
             (VERDICT, _) => Tolerance::None,
             (_, Some(rule)) => rule.tolerance(ulp),
-            (_, None) => rules::grown_rounding(ulp),
+            (_, None) => Hold::Figure.tolerance(ulp),
         }
     }
 

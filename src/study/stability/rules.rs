@@ -7,7 +7,7 @@ use super::against;
 use super::images::{is_finite, is_reversible};
 use super::oracle::{Allowance, Oracle, fastest};
 use crate::compare::Comparison;
-use crate::finding::{Tolerance, Verdict};
+use crate::finding::{Hold, Tolerance, Verdict};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, State};
 use crate::scene::Scene;
@@ -230,28 +230,12 @@ pub const RULES: &[Rule] = &[
 impl Rule {
     /// By how much an accepted figure of this rule may move, in an engine with rounding `ulp`.
     pub fn tolerance(&self, ulp: f64) -> Tolerance {
-        if self.counts {
-            Tolerance::None
+        let hold = if self.counts {
+            Hold::Count
         } else {
-            grown_rounding(ulp)
-        }
-    }
-}
-
-/// What another compiler may make of a figure.
-///
-/// One target gives the same bits for any number of threads, in debug and release. Another may round a sine or a fused product
-/// otherwise: one ulp, which growth multiplies. 2^22 ulp are 1e-9 in f64; in f32, where that would be all, 2^10 ulp are 1.2e-4. Figures below
-/// 1 are held as if they were 1, since most are differences of such numbers.
-pub fn grown_rounding(ulp: f64) -> Tolerance {
-    let grown = if ulp > f64::EPSILON {
-        1024.0
-    } else {
-        4_194_304.0
-    };
-    Tolerance::Relative {
-        part: grown * ulp,
-        above: 1.0,
+            Hold::Figure
+        };
+        hold.tolerance(ulp)
     }
 }
 
@@ -565,7 +549,7 @@ fn momentum(e: &Evidence<'_>) -> Option<Judgement> {
 }
 
 /// Rounding grown over the whole run, R; infinite where its growth is not known.
-fn rounding_grown(e: &Evidence<'_>) -> f64 {
+pub fn rounding_grown(e: &Evidence<'_>) -> f64 {
     let Some(oracle) = e.oracle else {
         return f64::INFINITY;
     };

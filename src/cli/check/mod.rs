@@ -1,0 +1,323 @@
+//! `carom check`.
+
+mod outputs;
+
+use super::arguments::CheckArguments;
+use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal, versions};
+use crate::finding::{Block, Document};
+use crate::gate::{self, Accepted, Bits, Decision, Held, Refused};
+use crate::report;
+use crate::scene::{Scene, catalogue};
+use crate::study::Watch;
+use crate::study::check::{Level, bounds, page, study, summary};
+use crate::study::compare::default_columns;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// A terminal shows no more changes than this.
+const MOST_CHANGES: usize = 40;
+
+/// A job summary shows no more: its service cuts off what is long.
+const MOST_IN_SUMMARY: usize = 200;
+
+/// Runs the scenes of the gate and holds them against their baselines, or accepts what is found.
+pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
+    let reason = reason(arguments)?;
+    let scenes = scenes(&arguments.scenes)?;
+    let folder = &arguments.baseline;
+    let files: Vec<PathBuf> = scenes
+        .iter()
+        .map(|scene| folder.join(format!("{}.csv", scene.name)))
+        .collect();
+    // a file that cannot be read is said before anything runs
+    let accepted = files
+        .iter()
+        .map(|file| read(file))
+        .collect::<Result<Vec<_>, _>>()?;
+    let unread = if arguments.scenes.is_empty() {
+        unread(folder, &files)
+    } else {
+        Vec::new()
+    };
+    let progress = terminal::Progress::new();
+    let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
+    let watch = Watch {
+        progress: &show,
+        cancelled: terminal::cancelled(),
+    };
+    let start = Instant::now();
+    let outcome = study(&scenes, &default_columns(), watch);
+    let seconds = start.elapsed().as_secs_f64();
+    drop(progress);
+    let held = Held::new(outcome, accepted, unread);
+    write(&held, arguments)?;
+    let listed = arguments.format == "text";
+    let mut shown = document(&held, folder, summary, MOST_CHANGES, listed);
+    if arguments.verbose {
+        shown.blocks.push(Block::Table(bounds()));
+    }
+    let printed = publish(
+        &shown,
+        &arguments.format,
+        || document(&held, folder, page, usize::MAX, false),
+        arguments.out.as_deref(),
+    )?;
+    // wall time only advises
+    terminal::say(&format!("Took {seconds:.1} s."));
+    match reason {
+        Some(reason) => accept(&held, &files, folder, &reason),
+        None => decide(&held, printed, arguments),
+    }
+}
+
+/// Why the findings are accepted; `None` if they are to be held.
+fn reason(arguments: &CheckArguments) -> Result<Option<String>, Failure> {
+    let Some(reason) = arguments.reason.as_deref().map(str::trim) else {
+        return Ok(None);
+    };
+    if reason.is_empty() {
+        return Err(Failure::Message(
+            "`--reason` is empty: say why these findings are right, or why they stay as they are"
+                .to_owned(),
+        ));
+    }
+    Ok(Some(reason.to_owned()))
+}
+
+/// The scenes that were named, or the set `gate`.
+fn scenes(named: &[String]) -> Result<Vec<Scene>, Failure> {
+    if named.is_empty() {
+        return Ok(catalogue::set("gate")?);
+    }
+    let mut scenes: Vec<Scene> = Vec::new();
+    for name in named {
+        let scene = scene::resolve(name)?;
+        if scenes.iter().any(|known| known.name == scene.name) {
+            let message = format!("scene {} is named twice", scene.name);
+            return Err(Failure::Message(message));
+        }
+        scenes.push(scene);
+    }
+    Ok(scenes)
+}
+
+/// The accepted findings in a file; `None` if there is no such file.
+fn read(file: &Path) -> Result<Option<Accepted>, Failure> {
+    let text = match fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => {
+            let message = format!("cannot read {}: {error}", file.display());
+            return Err(Failure::Message(message));
+        }
+    };
+    let accepted = gate::read(&text).map_err(|malformed| {
+        Failure::Message(format!(
+            "{}, {malformed}; mend it, or remove it and run `carom check --accept --reason \"...\"`",
+            file.display()
+        ))
+    })?;
+    Ok(Some(accepted))
+}
+
+/// Names of baselines in the folder that no scene reads.
+fn unread(folder: &Path, files: &[PathBuf]) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut unread: Vec<String> = entries
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|e| e == "csv") && !files.contains(path))
+        .map(|path| path.display().to_string())
+        .collect();
+    unread.sort();
+    unread
+}
+
+/// Writes a document of a check; the function says how many findings of a scene, engine and level changed.
+type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> usize) -> Document;
+
+/// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
+/// table of them.
+fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
+    let changed = |scene: &str, engine: &str, level| held.changes_of(scene, engine, level).count();
+    let mut document = write(&held.outcome, &changed);
+    let mut opening = vec![Block::Text(sentence(held, folder))];
+    if !held.outcome.broken.is_empty() {
+        let line = |b: &crate::study::check::Broken| {
+            format!(
+                "{} in {}: {}: {}",
+                b.engine,
+                b.scene,
+                b.invariant.id(),
+                b.why
+            )
+        };
+        opening.push(Block::Text("Promises that do not hold:".to_owned()));
+        opening.push(Block::List(held.outcome.broken.iter().map(line).collect()));
+    }
+    if listed && !held.changes.is_empty() {
+        let some = held.changes.iter().take(most);
+        let mut lines: Vec<String> = some.map(|l| held.sentence(&l.scene, &l.change)).collect();
+        if held.changes.len() > most {
+            lines.push(format!("{} more are not shown", held.changes.len() - most));
+        }
+        opening.push(Block::List(lines));
+    } else if !held.changes.is_empty() {
+        opening.push(Block::Table(gate::changes_table(&held.changes, most)));
+    }
+    document.blocks.splice(0..0, opening);
+    document
+}
+
+/// How the findings stand to the accepted ones.
+fn sentence(held: &Held, folder: &Path) -> String {
+    let folder = folder.display();
+    let missing = held.outcome.missing();
+    if missing > 0 {
+        return format!(
+            "It did not run to its end: {missing} of {} cases did not run, so nothing is held against {folder}.",
+            held.outcome.cases.len()
+        );
+    }
+    let unknown = held.unknown();
+    if unknown.len() == held.accepted.len() {
+        return format!("Baselines: none in {folder}.");
+    }
+    let mut parts = vec![
+        gate::changes_sentence(&held.changes)
+            .unwrap_or_else(|| "everything is as accepted".to_owned()),
+    ];
+    if !held.stale.is_empty() {
+        parts.push(format!(
+            "changed since they were accepted: {}",
+            held.stale.join(", ")
+        ));
+    }
+    if !held.unread.is_empty() {
+        parts.push(format!("read by no scene: {}", held.unread.join(", ")));
+    }
+    if !unknown.is_empty() {
+        parts.push(format!("nothing is accepted of {}", unknown.join(", ")));
+    }
+    let Bits {
+        same,
+        other,
+        changed,
+    } = held.bits();
+    parts.push(format!(
+        "bits: {same} runs the same, {other} the same physics in different bits, {changed} others"
+    ));
+    format!("Baselines, {folder}: {}.", parts.join("; "))
+}
+
+/// Files that other programs read, and what GitHub's runner is told.
+fn write(held: &Held, arguments: &CheckArguments) -> Result<(), Failure> {
+    let folder = &arguments.baseline;
+    if let Some(file) = &arguments.junit {
+        let xml = outputs::junit(held).map_err(Failure::Message)?;
+        output::write_file(file, xml.as_bytes())?;
+    }
+    let summary_file = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
+    if arguments.markdown.is_some() || summary_file.is_some() {
+        let document = document(held, folder, summary, MOST_IN_SUMMARY, false);
+        let text = report::render(&document, "markdown").unwrap_or_default();
+        if let Some(file) = &arguments.markdown {
+            output::write_file(file, text.as_bytes())?;
+        }
+        if let Some(file) = summary_file {
+            append(Path::new(&file), &text)?;
+        }
+    }
+    if std::env::var_os("GITHUB_ACTIONS").is_some() {
+        for line in outputs::annotations(held, folder) {
+            terminal::say(&line);
+        }
+    }
+    Ok(())
+}
+
+/// A job summary has other authors too.
+fn append(file: &Path, text: &str) -> Result<(), Failure> {
+    use std::io::Write;
+    let opened = fs::OpenOptions::new().create(true).append(true).open(file);
+    let written = opened.and_then(|mut file| file.write_all(text.as_bytes()));
+    written
+        .map_err(|error| Failure::Message(format!("cannot append to {}: {error}", file.display())))
+}
+
+/// Writes the baselines of the scenes in which something changed.
+fn accept(
+    held: &Held,
+    files: &[PathBuf],
+    folder: &Path,
+    reason: &str,
+) -> Result<ExitCode, Failure> {
+    if let Err(refused) = held.standing().acceptance() {
+        terminal::say(&format!("error: {refused}"));
+        return Ok(ExitCode::from(match refused {
+            Refused::CutShort => COULD_NOT_RUN,
+            _ => NOT_MET,
+        }));
+    }
+    let mut written = 0;
+    for ((scene, before), file) in held.outcome.scenes.iter().zip(&held.accepted).zip(files) {
+        let known = before.is_some() && !held.stale.contains(&scene.name);
+        let changed = held.changes.iter().any(|l| l.scene == scene.name);
+        if known && !changed {
+            continue;
+        }
+        let accepted = Accepted {
+            scene: scene.name.clone(),
+            hash: scene.hash(),
+            reason: reason.to_owned(),
+            versions: versions::with_commit(),
+            bits: held.bits_of(&scene.name),
+            rows: held.rows(&scene.name),
+        };
+        output::write_file(file, gate::write(&accepted).as_bytes())?;
+        written += 1;
+    }
+    terminal::say(&format!(
+        "Accepted: {written} of {} files written below {}.",
+        files.len(),
+        folder.display()
+    ));
+    for file in &held.unread {
+        terminal::say(&format!("No scene reads {file}: remove it."));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The exit code, and what to do about it.
+fn decide(held: &Held, printed: ExitCode, arguments: &CheckArguments) -> Result<ExitCode, Failure> {
+    let standing = held.standing();
+    match standing.decision() {
+        Decision::Met => Ok(printed),
+        Decision::NotMet if standing.broken_promises > 0 => {
+            terminal::say("A promised invariant does not hold; that is not up to acceptance.");
+            Ok(ExitCode::from(NOT_MET))
+        }
+        Decision::NotMet => {
+            terminal::say(
+                "Not as accepted. If it is right: `carom check --accept --reason \"...\"`.",
+            );
+            Ok(ExitCode::from(NOT_MET))
+        }
+        Decision::Incomplete if standing.cut_short => Err(Failure::Message(format!(
+            "it did not run to its end: {} of {} cases did not run",
+            held.outcome.missing(),
+            held.outcome.cases.len()
+        ))),
+        Decision::Incomplete => Err(Failure::Message(format!(
+            "nothing is accepted of {} in {}; `carom check{} --accept --reason \"...\"` accepts what is found",
+            held.unknown().join(", "),
+            arguments.baseline.display(),
+            arguments
+                .scenes
+                .iter()
+                .fold(String::new(), |all, s| all + " " + s)
+        ))),
+    }
+}

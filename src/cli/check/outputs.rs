@@ -1,0 +1,171 @@
+//! What programs of a pipeline read: JUnit XML, and annotations of GitHub's runner.
+
+use crate::gate::{Change, Held};
+use crate::study::check::{Case, Level, ORACLE, State};
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+use std::path::Path;
+
+/// Changes of a case that its failure tells.
+const TOLD: usize = 10;
+
+/// Annotations of a step that GitHub shows.
+const SHOWN: usize = 10;
+
+/// JUnit XML: one suite a scene, one test case an engine and level. Errors: what cannot be written, in one sentence.
+pub fn junit(held: &Held) -> Result<String, String> {
+    let mut report = Report::new("carom check");
+    for scene in &held.outcome.scenes {
+        let mut suite = TestSuite::new(scene.name.as_str());
+        let own = held.outcome.cases.iter().filter(|c| c.scene == scene.name);
+        suite.add_test_cases(own.map(|case| test_case(held, case)));
+        report.add_test_suite(suite);
+    }
+    report
+        .to_string()
+        .map_err(|error| format!("cannot write JUnit XML: {error}"))
+}
+
+fn test_case(held: &Held, case: &Case) -> TestCase {
+    let status = match (&case.state, failure(held, case)) {
+        (State::Refused(why), _) => {
+            let mut status = TestCaseStatus::skipped();
+            status.set_message(why.as_str());
+            status
+        }
+        (State::Missing, _) => {
+            let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
+            status.set_message("it did not run to its end");
+            status.set_type("missing");
+            status
+        }
+        (State::Ran, Some((kind, lines))) => {
+            let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+            status.set_message(lines.first().map_or("", String::as_str));
+            status.set_type(kind);
+            status.set_description(lines.join("\n"));
+            status
+        }
+        (State::Ran, None) => TestCaseStatus::success(),
+    };
+    let mut test = TestCase::new(format!("{} / {}", case.engine, case.level.id()), status);
+    test.set_classname(format!("carom.{}", case.scene));
+    test
+}
+
+/// What is wrong with a case, in lines that a person can act on, and its kind; `None` where nothing is.
+fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
+    let broken: Vec<String> = held
+        .outcome
+        .broken
+        .iter()
+        .filter(|b| {
+            case.level == Level::Promise && b.scene == case.scene && b.engine == case.engine
+        })
+        .map(|b| format!("{} promises {}: {}", b.engine, b.invariant.id(), b.why))
+        .collect();
+    if !broken.is_empty() {
+        return Some(("promise", with_advice(held, case, broken, false)));
+    }
+    let changes: Vec<&Change> = held
+        .changes_of(&case.scene, &case.engine, case.level)
+        .collect();
+    let stale = held.stale.contains(&case.scene) && case.engine == ORACLE;
+    let unknown = held.accepted_of(&case.scene).is_none();
+    let mut lines: Vec<String> = changes
+        .iter()
+        .take(TOLD)
+        .map(|change| held.sentence(&case.scene, change))
+        .collect();
+    if changes.len() > TOLD {
+        lines.push(format!("and {} more", changes.len() - TOLD));
+    }
+    if stale {
+        lines.insert(0, "the scene has changed since it was accepted".to_owned());
+    }
+    if unknown {
+        lines.push("nothing is accepted of this scene".to_owned());
+    }
+    let kind = if changes.is_empty() {
+        "baseline"
+    } else {
+        "change"
+    };
+    (!lines.is_empty()).then(|| (kind, with_advice(held, case, lines, true)))
+}
+
+fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool) -> Vec<String> {
+    lines.push(held.since(&case.scene, &case.engine));
+    let engine = if case.engine == ORACLE {
+        "exact".to_owned()
+    } else {
+        case.engine.replace(' ', ":")
+    };
+    let show = match case.level {
+        Level::Promise | Level::Verdict => {
+            format!("carom stability {} --engines {engine}", case.scene)
+        }
+        Level::Error => format!("carom compare {} --engines {engine}", case.scene),
+        Level::Distribution => format!(
+            "carom ensemble {} --samples {} --seed {} --engines {engine}",
+            case.scene,
+            crate::study::check::SAMPLES,
+            crate::study::check::SEED
+        ),
+        Level::Work => format!(
+            "carom run {} --engine {} --out DIR",
+            case.scene,
+            case.engine.replacen(' ', " --set ", 1)
+        ),
+    };
+    lines.push(format!("to see it: {show}"));
+    if up_to_you {
+        let accept = format!("carom check {} --accept --reason \"...\"", case.scene);
+        lines.push(format!("if it is right: {accept}"));
+    }
+    lines
+}
+
+/// Lines by which GitHub's runner marks lines of baselines, one a failing case.
+pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
+    let mut lines = Vec::new();
+    for case in &held.outcome.cases {
+        let Some((_, words)) = failure(held, case).filter(|_| case.state == State::Ran) else {
+            continue;
+        };
+        let file = folder.join(format!("{}.csv", case.scene));
+        let change = held
+            .changes_of(&case.scene, &case.engine, case.level)
+            .next();
+        let address = change.and_then(Change::row).map(|row| row.address());
+        let line = match (held.accepted_of(&case.scene), address) {
+            (Some(accepted), Some(address)) => accepted.line(address),
+            _ => 1,
+        };
+        lines.push(format!(
+            "::error file={},line={line},title={}::{}",
+            property(&file.display().to_string()),
+            property(&format!("{} in {}", case.scene, case.engine)),
+            escaped(&words.join("\n"))
+        ));
+    }
+    let more = lines.len().saturating_sub(SHOWN);
+    if more > 0 {
+        lines.truncate(SHOWN - 1);
+        let more = more + 1;
+        lines.push(format!("::error::{more} more cases are not as accepted"));
+    }
+    lines
+}
+
+/// The text of an annotation: the runner ends it at a line break.
+fn escaped(words: &str) -> String {
+    words
+        .replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
+}
+
+/// A property of an annotation, which ends at a comma.
+fn property(words: &str) -> String {
+    escaped(words).replace(':', "%3A").replace(',', "%2C")
+}

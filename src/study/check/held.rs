@@ -1,0 +1,190 @@
+//! What is held besides the metrics of a comparison: unit, level, and by how much each may move.
+
+use super::Level;
+use crate::compare::metric;
+use crate::finding::{Hold, Tolerance};
+
+/// One thing that is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Held {
+    /// Unique kebab-case name.
+    pub id: &'static str,
+    /// Unit; empty for a count, a ratio or a word.
+    pub unit: &'static str,
+    /// Its level.
+    pub level: Level,
+    /// How an accepted value is held.
+    pub hold: Hold,
+    /// Meaning, in one sentence.
+    pub what: &'static str,
+}
+
+const fn held(
+    id: &'static str,
+    unit: &'static str,
+    level: Level,
+    hold: Hold,
+    what: &'static str,
+) -> Held {
+    Held {
+        id,
+        unit,
+        level,
+        hold,
+        what,
+    }
+}
+
+/// A promised invariant.
+pub const PROMISE: &str = "promise";
+/// An engine that cannot simulate a scene.
+pub const REFUSED: &str = "refused";
+/// How and when a run ended.
+pub const ENDING: &str = "ending";
+/// Where collision orders first differ.
+pub const PARTING: &str = "parting";
+/// Events of the exact engine within its horizon.
+pub const CERTAIN: &str = "certain";
+/// Where a ball of the exact engine ends, across the table.
+pub const END_X: &str = "end-x";
+/// The same along the table.
+pub const END_Y: &str = "end-y";
+/// When a ball of the exact engine stopped.
+pub const STOPPED: &str = "stopped-at";
+/// Samples with a complete run.
+pub const COMPLETE: &str = "complete-samples";
+/// Kolmogorov-Smirnov distance.
+pub const KS: &str = "kolmogorov-smirnov";
+/// A quantile.
+pub const QUANTILE: &str = "quantile";
+/// What a hard case is known to do.
+pub const VERDICT: &str = "verdict";
+/// A counter.
+pub const WORK: &str = "work";
+
+/// Everything that is held besides [`crate::compare::METRICS`], which are all of the level [`Level::Error`].
+pub const HELD: &[Held] = &[
+    held(
+        PROMISE,
+        "",
+        Level::Promise,
+        Hold::Count,
+        "an invariant that the engine promises holds",
+    ),
+    held(
+        REFUSED,
+        "",
+        Level::Error,
+        Hold::Count,
+        "the engine cannot simulate the scene",
+    ),
+    held(
+        ENDING,
+        "s",
+        Level::Error,
+        Hold::Figure,
+        "how the run ended, and when if the whole run can be believed",
+    ),
+    held(
+        PARTING,
+        "s",
+        Level::Error,
+        Hold::Figure,
+        "when the order of collisions first differs from the exact engine's within the horizon, and the two collisions",
+    ),
+    held(
+        CERTAIN,
+        "",
+        Level::Error,
+        Hold::Count,
+        "events of the exact engine within its horizon",
+    ),
+    held(
+        END_X,
+        "R",
+        Level::Error,
+        Hold::Figure,
+        "where the ball ends in the exact engine, across the table",
+    ),
+    held(
+        END_Y,
+        "R",
+        Level::Error,
+        Hold::Figure,
+        "where the ball ends in the exact engine, along the table",
+    ),
+    held(
+        STOPPED,
+        "s",
+        Level::Error,
+        Hold::Figure,
+        "when the ball stopped in the exact engine",
+    ),
+    held(
+        COMPLETE,
+        "",
+        Level::Distribution,
+        Hold::Count,
+        "samples of the ensemble with a complete run",
+    ),
+    held(
+        KS,
+        "",
+        Level::Distribution,
+        Hold::Figure,
+        "largest distance of the ball's distribution function from the exact engine's over the same samples",
+    ),
+    held(
+        QUANTILE,
+        "",
+        Level::Distribution,
+        Hold::Figure,
+        "the value below which this part of all balls of all samples lies; lengths in R, times in s",
+    ),
+    held(
+        VERDICT,
+        "",
+        Level::Verdict,
+        Hold::Count,
+        "what a hard case is known to do, by the rules of `carom stability`",
+    ),
+    held(
+        WORK,
+        "",
+        Level::Work,
+        Hold::Count,
+        "a deterministic count of the work done",
+    ),
+];
+
+fn find(id: &str) -> Option<&'static Held> {
+    HELD.iter().find(|held| held.id == id)
+}
+
+/// The level of a metric.
+pub fn level(id: &str) -> Level {
+    find(id).map_or(Level::Error, |held| held.level)
+}
+
+/// How an accepted value of a metric is held.
+pub fn hold(id: &str) -> Hold {
+    let of_metric = || metric(id).map_or(Hold::Figure, |metric| metric.hold);
+    find(id).map_or_else(of_metric, |held| held.hold)
+}
+
+/// By how much a value of a metric may move in an engine with rounding `ulp`.
+pub fn tolerance(id: &str, ulp: f64) -> Tolerance {
+    hold(id).tolerance(ulp)
+}
+
+/// Unit of a metric.
+pub fn unit_of(id: &str) -> &'static str {
+    let of_metric = || metric(id).map_or("", |metric| metric.unit);
+    find(id).map_or_else(of_metric, |held| held.unit)
+}
+
+/// Meaning of a metric, in one sentence.
+pub fn what(id: &str) -> &'static str {
+    let of_metric = || metric(id).map_or("", |metric| metric.what);
+    find(id).map_or_else(of_metric, |held| held.what)
+}

@@ -1,0 +1,317 @@
+//! What every later version is held against: the scenes of the gate in every engine, on five levels.
+//!
+//! Plan: each scene in each column once, with the images that the column promises something about; the scenes that nobody can predict to their
+//! end as an ensemble as well. Conclusion: findings, each with a [`Level`], and a list of the [`Case`]s that must have run, so that a
+//! check that did not reach its end cannot pass. What is accepted of them is for `gate`.
+
+mod bits;
+mod cell;
+mod distribution;
+mod held;
+mod oracle;
+mod page;
+mod pair;
+mod promises;
+
+pub use distribution::{SAMPLES, SEED};
+pub use held::{HELD, Held, hold, level, tolerance, unit_of, what};
+pub use oracle::ORACLE;
+pub use page::{bounds, page, summary};
+pub use pair::{between, ulp_of};
+pub use promises::Broken;
+
+use super::ensemble::Landing;
+use super::matrix::{Column, Task, Watch, run_tasks};
+use super::stability::{Oracle, ask_oracles};
+use crate::finding::{Finding, Tolerance};
+use crate::scene::{Scene, Simultaneous};
+use std::collections::BTreeMap;
+use std::mem;
+
+/// Most events of an event-driven run.
+const MOST_EVENTS: u64 = 1_000_000;
+
+/// What a finding is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// An invariant that the engine promises. Never up to acceptance.
+    Promise,
+    /// Errors against the exact engine and the order of events, up to the horizon and the first difference.
+    Error,
+    /// Distributions over a seeded ensemble, where single answers are noise.
+    Distribution,
+    /// What a hard case is known to do.
+    Verdict,
+    /// Deterministic counts of the work done.
+    Work,
+}
+
+impl Level {
+    /// Every level.
+    pub const ALL: [Level; 5] = [
+        Level::Promise,
+        Level::Error,
+        Level::Distribution,
+        Level::Verdict,
+        Level::Work,
+    ];
+
+    /// Kebab-case name.
+    pub fn id(self) -> &'static str {
+        match self {
+            Level::Promise => "promise",
+            Level::Error => "error",
+            Level::Distribution => "distribution",
+            Level::Verdict => "verdict",
+            Level::Work => "work",
+        }
+    }
+}
+
+/// What became of a case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum State {
+    /// It ran and has findings.
+    Ran,
+    /// The engine cannot simulate the scene, and why: that it refuses is a finding of the level [`Level::Error`].
+    Refused(String),
+    /// It did not run to its end, or found nothing.
+    Missing,
+}
+
+/// One scene in one engine on one level: something that must have run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Case {
+    /// Name of the scene.
+    pub scene: String,
+    /// Label of the column, or [`ORACLE`].
+    pub engine: String,
+    /// The level.
+    pub level: Level,
+    /// What became of it.
+    pub state: State,
+}
+
+/// Everything that a check found.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The scenes, in order.
+    pub scenes: Vec<Scene>,
+    /// Every number and verdict with its address: by scene, then the oracle, then the columns in order.
+    pub findings: Vec<Finding>,
+    /// What had to run.
+    pub cases: Vec<Case>,
+    /// Promises that do not hold.
+    pub broken: Vec<Broken>,
+    /// Scene, engine and digest of events and final states: the same digest means the same bits.
+    pub bits: Vec<(String, String, String)>,
+    /// Rounding of the scalar of each engine, by label.
+    ulps: BTreeMap<String, f64>,
+}
+
+/// What one task of the matrix found.
+enum Answer {
+    Cell(Box<cell::Found>),
+    Samples(Vec<Option<Landing>>),
+}
+
+/// What one task does: a scene in a column, or its samples in a column or, without one, in the exact engine.
+#[derive(Clone, Copy)]
+enum Unit {
+    Cell(usize, usize),
+    Samples(usize, Option<usize>),
+}
+
+/// Runs the scenes in the columns. Answers the same to the bit for any number of threads.
+pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Outcome {
+    let oracles = ask_oracles(scenes, watch);
+    let ensembles: Vec<Option<distribution::Ensemble>> = scenes
+        .iter()
+        .zip(&oracles)
+        .map(|(scene, oracle)| {
+            needs_ensemble(scene, oracle.as_ref())
+                .then(|| distribution::Ensemble::of(scene))
+                .flatten()
+        })
+        .collect();
+    let mut units = Vec::new();
+    for (s, scene) in scenes.iter().enumerate() {
+        units.extend((0..columns.len()).map(|c| Unit::Cell(s, c)));
+        if ensembles[s].is_some() {
+            units.push(Unit::Samples(s, None));
+            let affordable = (0..columns.len()).filter(|&c| distribution::runs(scene, &columns[c]));
+            units.extend(affordable.map(|c| Unit::Samples(s, Some(c))));
+        }
+    }
+    let tasks: Vec<Task> = units
+        .iter()
+        .map(|unit| task(unit, scenes, columns))
+        .collect();
+    let answers = run_tasks(&tasks, MOST_EVENTS, watch, |index, runner| {
+        match units[index] {
+            Unit::Cell(s, c) => Answer::Cell(Box::new(cell::run(
+                &scenes[s],
+                &columns[c],
+                oracles[s].as_ref(),
+                runner,
+            ))),
+            Unit::Samples(s, c) => {
+                Answer::Samples(ensembles[s].as_ref().map_or(Vec::new(), |ensemble| {
+                    ensemble.run(c.map(|c| &columns[c]), runner)
+                }))
+            }
+        }
+    });
+    conclude(scenes, columns, &oracles, &units, answers)
+}
+
+/// True where the scene has no single answer to its end: the horizon comes before, or it asks for an ensemble itself.
+fn needs_ensemble(scene: &Scene, oracle: Option<&Oracle>) -> bool {
+    scene.simultaneous == Simultaneous::Ensemble
+        || oracle.is_some_and(|o| !o.is_whole() || !o.is_complete())
+}
+
+fn task(unit: &Unit, scenes: &[Scene], columns: &[Column]) -> Task {
+    match *unit {
+        Unit::Cell(s, c) => Task {
+            cost: cell::cost(&scenes[s], &columns[c]),
+            label: format!("{} in {}", scenes[s].name, columns[c].label()),
+        },
+        Unit::Samples(s, c) => Task {
+            cost: c.map_or(0.0, |c| {
+                distribution::SAMPLES as f64 * cell::cost(&scenes[s], &columns[c])
+            }),
+            label: format!("samples of {}", scenes[s].name),
+        },
+    }
+}
+
+fn conclude(
+    scenes: &[Scene],
+    columns: &[Column],
+    oracles: &[Option<Oracle>],
+    units: &[Unit],
+    answers: Vec<Option<Answer>>,
+) -> Outcome {
+    let mut outcome = Outcome {
+        scenes: scenes.to_vec(),
+        findings: Vec::new(),
+        cases: Vec::new(),
+        broken: Vec::new(),
+        bits: Vec::new(),
+        ulps: BTreeMap::new(),
+    };
+    let mut answers: Vec<(Unit, Option<Answer>)> = units.iter().copied().zip(answers).collect();
+    for (s, scene) in scenes.iter().enumerate() {
+        let (own, rest): (Vec<_>, Vec<_>) =
+            mem::take(&mut answers)
+                .into_iter()
+                .partition(|(unit, _)| match unit {
+                    Unit::Cell(of, _) | Unit::Samples(of, _) => *of == s,
+                });
+        answers = rest;
+        let hard = scene.sets.iter().any(|set| set == "hard");
+        outcome.expect(scene, ORACLE, [Level::Error]);
+        let findings = oracles[s].as_ref().map(|o| oracle::findings(scene, o));
+        outcome.add(findings);
+        let mut reference = None;
+        for (unit, answer) in own {
+            match (unit, answer) {
+                (Unit::Cell(_, c), answer) => {
+                    let label = columns[c].label();
+                    let levels = [Level::Promise, Level::Error, Level::Work];
+                    outcome.expect(scene, &label, levels);
+                    outcome.expect(scene, &label, hard.then_some(Level::Verdict));
+                    if let Some(Answer::Cell(found)) = answer {
+                        outcome.take(scene, &label, *found);
+                    }
+                }
+                (Unit::Samples(_, None), answer) => {
+                    outcome.expect(scene, ORACLE, [Level::Distribution]);
+                    if let Some(Answer::Samples(landings)) = answer {
+                        let found = distribution::findings(scene, ORACLE, &landings, None);
+                        outcome.add(Some(found));
+                        reference = Some(landings);
+                    }
+                }
+                (Unit::Samples(_, Some(c)), answer) => {
+                    let label = columns[c].label();
+                    outcome.expect(scene, &label, [Level::Distribution]);
+                    if let Some(Answer::Samples(landings)) = answer {
+                        let against = reference.as_deref();
+                        let found = distribution::findings(scene, &label, &landings, against);
+                        outcome.add(Some(found));
+                    }
+                }
+            }
+        }
+    }
+    outcome.settle();
+    outcome
+}
+
+impl Outcome {
+    fn expect(&mut self, scene: &Scene, engine: &str, levels: impl IntoIterator<Item = Level>) {
+        let case = |level| Case {
+            scene: scene.name.clone(),
+            engine: engine.to_owned(),
+            level,
+            state: State::Missing,
+        };
+        self.cases.extend(levels.into_iter().map(case));
+    }
+
+    fn add(&mut self, findings: Option<Vec<Finding>>) {
+        self.findings.extend(findings.into_iter().flatten());
+    }
+
+    fn take(&mut self, scene: &Scene, label: &str, found: cell::Found) {
+        self.findings.extend(found.findings);
+        self.broken.extend(found.broken);
+        if let Some(refused) = found.refused {
+            let own = |case: &&mut Case| {
+                case.scene == scene.name && case.engine == label && case.level != Level::Error
+            };
+            for case in self.cases.iter_mut().filter(own) {
+                case.state = State::Refused(refused.clone());
+            }
+        }
+        if let Some(bits) = found.bits {
+            let entry = (scene.name.clone(), label.to_owned(), bits);
+            self.bits.push(entry);
+        }
+        let ulp = self.ulps.entry(label.to_owned()).or_insert(found.ulp);
+        *ulp = ulp.max(found.ulp);
+    }
+
+    /// A case ran if it found something.
+    fn settle(&mut self) {
+        for case in &mut self.cases {
+            let own = |finding: &Finding| {
+                finding.scene == case.scene
+                    && finding.engine == case.engine
+                    && level(finding.metric) == case.level
+            };
+            if case.state == State::Missing && self.findings.iter().any(own) {
+                case.state = State::Ran;
+            }
+        }
+    }
+
+    /// Cases that did not run to their end.
+    pub fn missing(&self) -> usize {
+        let missing = self.cases.iter().filter(|c| c.state == State::Missing);
+        missing.count()
+    }
+
+    /// The findings of one scene.
+    pub fn of_scene<'a>(&'a self, scene: &'a str) -> impl Iterator<Item = &'a Finding> {
+        self.findings.iter().filter(move |f| f.scene == scene)
+    }
+
+    /// By how much a figure may move in the engine with this label.
+    pub fn tolerance(&self, engine: &str, metric: &str) -> Tolerance {
+        let ulp = self.ulps.get(engine).copied().unwrap_or(f64::EPSILON);
+        tolerance(metric, ulp)
+    }
+}

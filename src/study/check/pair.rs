@@ -1,0 +1,44 @@
+//! Two runs of one scene: two versions of an engine, two machines, two settings.
+
+use super::held::{ENDING, WORK};
+use super::unit_of;
+use crate::compare::{self, Comparison};
+use crate::finding::Finding;
+use crate::scene::Scene;
+use crate::trace::Trace;
+
+/// Everything that is measured of a trace, and of its distance from `reference`, under the label `engine`.
+///
+/// The distance of `reference` from itself is nothing, so that its findings and those of another run can be held against each other.
+pub fn between(scene: &Scene, engine: &str, trace: &Trace, reference: &Trace) -> Vec<Finding> {
+    let finding = |metric: &'static str, subject: &str, value: f64| Finding {
+        scene: scene.name.clone(),
+        engine: engine.to_owned(),
+        metric,
+        subject: subject.to_owned(),
+        value: Some(value),
+        unit: unit_of(metric),
+        verdict: None,
+    };
+    let mut findings = vec![finding(ENDING, trace.ending.id(), trace.end_time)];
+    findings.extend(compare::of_pair(
+        &Comparison::new(scene, trace, reference),
+        engine,
+    ));
+    findings.extend(compare::of_trace(scene, engine, trace));
+    let work = trace.counters.iter();
+    findings.extend(work.map(|(name, count)| finding(WORK, name, *count as f64)));
+    findings
+}
+
+/// Rounding of the scalar in which a trace was computed, as far as its file says: f64, unless engine or precision name f32.
+pub fn ulp_of(trace: &Trace) -> f64 {
+    let provenance = &trace.provenance;
+    let precision = provenance.parameters.get("precision");
+    let named = precision.and_then(|p| p.as_str()) == Some("f32");
+    if named || provenance.engine.ends_with("-f32") {
+        f64::from(f32::EPSILON)
+    } else {
+        f64::EPSILON
+    }
+}

@@ -1,0 +1,244 @@
+//! What pipelines read: JUnit XML, Markdown, annotations, JSON.
+
+use super::{accept, check, command, said};
+use carom::report::FORMATS;
+use roxmltree::{Document, Node};
+use std::fs;
+use std::path::Path;
+
+/// Baselines of a soft and a hard scene, of which one row is not what is found.
+fn with_a_change(folder: &Path) {
+    accept(folder, &["slide", "through-a-ball"]);
+    let file = folder.join("slide.csv");
+    let good = fs::read_to_string(&file).unwrap();
+    let steps = good
+        .lines()
+        .find(|l| l.starts_with("stepper,work,steps,"))
+        .unwrap();
+    fs::write(&file, good.replacen(steps, "stepper,work,steps,7.0,", 1)).unwrap();
+}
+
+/// Attribute of a node as a number.
+fn number(node: Node<'_, '_>, name: &str) -> usize {
+    let text = node.attribute(name).unwrap_or_else(|| panic!("no {name}"));
+    text.parse().unwrap()
+}
+
+/// The rules of the common schema (Jenkins' junit-10.xsd) that concern what is written: elements and their order, attributes that
+/// must be there, and counts that add up.
+fn valid(text: &str) -> Document<'_> {
+    let document = Document::parse(text).unwrap();
+    let root = document.root_element();
+    assert_eq!(root.tag_name().name(), "testsuites");
+    let elements = |node: Node<'_, '_>| node.children().filter(Node::is_element).count();
+    assert!(elements(root) > 0);
+    let (mut tests, mut failures, mut errors) = (0, 0, 0);
+    for suite in root.children().filter(Node::is_element) {
+        assert_eq!(suite.tag_name().name(), "testsuite");
+        assert!(suite.attribute("name").is_some_and(|name| !name.is_empty()));
+        let cases: Vec<Node<'_, '_>> = suite.children().filter(Node::is_element).collect();
+        for case in &cases {
+            assert_eq!(case.tag_name().name(), "testcase");
+            for name in ["name", "classname"] {
+                assert!(case.attribute(name).is_some_and(|text| !text.is_empty()));
+            }
+            for attribute in case.attributes() {
+                let known = ["name", "classname", "time", "assertions", "status"];
+                assert!(known.contains(&attribute.name()), "{attribute:?}");
+            }
+            let inside: Vec<Node<'_, '_>> = case.children().filter(Node::is_element).collect();
+            assert!(inside.len() <= 1, "one outcome a case");
+            for outcome in inside {
+                assert!(["skipped", "failure", "error"].contains(&outcome.tag_name().name()));
+                assert!(outcome.attribute("message").is_some_and(|m| !m.is_empty()));
+            }
+        }
+        let of = |name: &str| {
+            let own = cases
+                .iter()
+                .filter(|case| case.children().any(|node| node.tag_name().name() == name));
+            own.count()
+        };
+        assert_eq!(number(suite, "tests"), cases.len());
+        assert_eq!(number(suite, "failures"), of("failure"));
+        assert_eq!(number(suite, "errors"), of("error"));
+        assert_eq!(number(suite, "skipped"), of("skipped"));
+        tests += cases.len();
+        failures += of("failure");
+        errors += of("error");
+    }
+    assert_eq!(number(root, "tests"), tests);
+    assert_eq!(number(root, "failures"), failures);
+    assert_eq!(number(root, "errors"), errors);
+    document
+}
+
+#[test]
+fn junit_has_one_case_a_scene_engine_and_level_and_says_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("junit.xml");
+    let baseline = folder.path().join("baselines");
+    with_a_change(&baseline);
+    let junit = ["--junit", file.to_str().unwrap()];
+    let output = check(
+        &baseline,
+        &[&["slide", "through-a-ball"], &junit[..]].concat(),
+    );
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    let text = fs::read_to_string(&file).unwrap();
+    let document = valid(&text);
+    // the oracle, five columns on three levels, on four in the hard scene
+    assert_eq!(number(document.root_element(), "tests"), 2 + 15 + 20);
+    let failures: Vec<Node<'_, '_>> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("failure"))
+        .collect();
+    let [failure] = &failures[..] else {
+        panic!("{text}");
+    };
+    assert_eq!(
+        failure.parent().and_then(|case| case.attribute("name")),
+        Some("stepper / work")
+    );
+    let words = failure.text().unwrap();
+    for part in [
+        "work steps in stepper of slide: moved, was 7, is ",
+        "it may move by 0",
+        "accepted because: for a test (carom ",
+        "to see it: carom run slide --engine stepper --out DIR",
+        "if it is right: carom check slide --accept --reason",
+    ] {
+        assert!(words.contains(part), "{part}: {words}");
+    }
+}
+
+#[test]
+fn an_engine_that_refuses_is_skipped_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("junit.xml");
+    let baseline = folder.path().join("baselines");
+    // rapier has no cushion of a paper
+    accept(&baseline, &["bank"]);
+    let output = check(&baseline, &["bank", "--junit", file.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let text = fs::read_to_string(&file).unwrap();
+    let document = valid(&text);
+    let skipped: Vec<&str> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("skipped"))
+        .filter_map(|node| node.attribute("message"))
+        .collect();
+    // two of rapier's scalars, on promise and work; that it refuses is held as an error
+    assert_eq!(skipped.len(), 4, "{text}");
+    assert!(skipped.iter().all(|why| why.contains("cannot simulate")));
+}
+
+#[test]
+fn a_runner_of_github_gets_a_summary_and_annotations_with_file_and_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let baseline = folder.path().join("baselines");
+    with_a_change(&baseline);
+    let job_summary = folder.path().join("job.md");
+    fs::write(&job_summary, "before\n").unwrap();
+    let markdown = folder.path().join("own.md");
+    let own = ["--markdown", markdown.to_str().unwrap()];
+    let arguments = [&["slide", "through-a-ball"], &own[..]].concat();
+    let output = command(&baseline, &arguments)
+        .env("GITHUB_ACTIONS", "true")
+        .env("GITHUB_STEP_SUMMARY", &job_summary)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    let own = fs::read_to_string(&markdown).unwrap();
+    assert!(own.contains("1 finding differs: 1 moved"), "{own}");
+    assert!(own.contains("| slide "), "{own}");
+    let job = fs::read_to_string(&job_summary).unwrap();
+    assert_eq!(job, format!("before\n{own}"));
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    let marks: Vec<&str> = stderr.lines().filter(|l| l.starts_with("::")).collect();
+    let [mark] = &marks[..] else {
+        panic!("{stderr}");
+    };
+    let rows = fs::read_to_string(baseline.join("slide.csv")).unwrap();
+    let line = 1 + rows
+        .lines()
+        .position(|l| l.starts_with("stepper,work,steps,"))
+        .unwrap();
+    assert!(
+        mark.contains(&format!("slide.csv,line={line},title=")),
+        "{mark}"
+    );
+    assert!(
+        mark.contains("::work steps in stepper of slide: moved"),
+        "{mark}"
+    );
+}
+
+#[test]
+fn every_format_prints_the_change_and_a_terminal_is_wide_enough() {
+    let folder = tempfile::tempdir().unwrap();
+    let baseline = folder.path().join("baselines");
+    let out = folder.path().join("page");
+    with_a_change(&baseline);
+    for format in FORMATS {
+        let arguments = ["slide", "--verbose", "--format", format.id, "--out"];
+        let output = check(
+            &baseline,
+            &[&arguments[..], &[out.to_str().unwrap()]].concat(),
+        );
+        assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+        let shown = String::from_utf8(output.stdout).unwrap();
+        for words in ["moved", "steps", "stepper", "final-position"] {
+            assert!(shown.contains(words), "{}: {shown}", format.id);
+        }
+        match format.id {
+            "text" => assert!(
+                shown.lines().all(|line| line.chars().count() <= 100),
+                "{shown}"
+            ),
+            "json" => assert!(
+                serde_json::from_str::<serde_json::Value>(&shown)
+                    .unwrap()
+                    .is_object()
+            ),
+            _ => {}
+        }
+    }
+    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    for words in ["Every case", "By how much each may move", "2^22 ulp"] {
+        assert!(page.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn every_option_in_the_instructions_is_one_of_the_program() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let help = check(root, &["--help"]);
+    let help = String::from_utf8(help.stdout).unwrap();
+    let mut options = 0;
+    for file in [
+        "validation/CI.md",
+        ".github/actions/carom-check/action.yml",
+        ".ci/run",
+    ] {
+        let text = fs::read_to_string(root.join(file)).unwrap();
+        // an action's command goes on in the next line
+        let text = text.replace("\\\n", " ");
+        let commands = text.split('\n').filter_map(|line| {
+            let (_, own) = line
+                .split_once("-- ")
+                .filter(|_| line.contains("cargo run"))?;
+            own.trim_start().strip_prefix("check")
+        });
+        let mut found = 0;
+        for option in commands.flat_map(|own| own.split(' ')) {
+            found += 1;
+            if option.starts_with("--") {
+                options += 1;
+                assert!(help.contains(option), "{file}: {option}");
+            }
+        }
+        assert!(found > 0, "{file} has no command");
+    }
+    assert!(options >= 6, "{options}");
+}
