@@ -102,7 +102,7 @@ pub struct Outcome {
     pub done: u64,
     /// One entry an engine, in the order of the plan.
     pub entries: Vec<Entry>,
-    /// Faults in the order of scenes, the first [`KEPT`].
+    /// Faults in the order of scenes, the first thousand.
     pub failures: Vec<Failure>,
     /// Number of all faults.
     pub faults: u64,
