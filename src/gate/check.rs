@@ -163,6 +163,7 @@ impl Held {
             }
             (kind, Some(old), Some(new)) => {
                 let by = match (old.value, new.value, change.bound) {
+                    (Some(_), Some(_), Some(0.0)) => "; it may not move".to_owned(),
                     (Some(old), Some(new), Some(bound)) => {
                         format!(
                             ", a change of {:.3e}; it may move by {bound:.1e}",

@@ -143,7 +143,8 @@ type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> us
 fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
     let changed = |scene: &str, engine: &str, level| held.changes_of(scene, engine, level).count();
     let mut document = write(&held.outcome, &changed);
-    let mut opening = vec![Block::Text(sentence(held, folder))];
+    let ran = std::mem::replace(&mut document.lead, sentence(held, folder));
+    let mut opening = vec![Block::Text(ran)];
     if !held.outcome.broken.is_empty() {
         let line = |b: &crate::study::check::Broken| {
             format!(
