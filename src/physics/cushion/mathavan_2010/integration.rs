@@ -82,7 +82,8 @@ pub fn rebound<T: Real>(numbers: [T; 4], start: [T; 5], accuracy: Accuracy) -> (
     let [e, mu, mu_cloth, height] = numbers;
     let (sin, cos) = nose(height);
     // the law is of the first degree in the speeds: a power of two brings them near 1 without rounding
-    let unit = 2.0_f64.powi(size.log2().floor() as i32);
+    // (powers below this have no reciprocal)
+    let unit = 2.0_f64.powi((size.log2().floor() as i32).max(-1000));
     let [vx, vy, sx, sy, sz] = start.map(|x| x / T::lift(unit));
     let mut run = Integration {
         contacts: Contacts {

@@ -242,3 +242,17 @@ fn no_impact_adds_energy_beyond_its_stated_error() {
         );
     }
 }
+
+#[test]
+fn speeds_at_the_end_of_the_range_of_numbers_leave_the_cushion() {
+    for size in [1e-300, 1e-307, 1.03e-308, 4e-309, 1e-315, 5e-324] {
+        let start = [size, 0.0, 0.0, 0.4 * size, 0.0];
+        let (end, error) = rebound([0.9, 0.19, 0.26, 0.6], start, Accuracy::F64);
+        // a few of the smallest numbers are all that is left of digits
+        let allowed = error + 1e-323;
+        assert!(
+            end[0] <= allowed && end[0] >= -size - allowed,
+            "{size:e}: {end:?}"
+        );
+    }
+}
