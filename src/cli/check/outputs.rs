@@ -94,7 +94,9 @@ fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
 }
 
 fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool) -> Vec<String> {
-    lines.push(held.since(&case.scene, &case.engine));
+    if held.accepted_of(&case.scene).is_some() {
+        lines.push(held.since(&case.scene, &case.engine));
+    }
     let engine = if case.engine == ORACLE {
         "exact".to_owned()
     } else {
@@ -114,7 +116,7 @@ fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool
         Level::Work => format!(
             "carom run {} --engine {} --out DIR",
             case.scene,
-            case.engine.replacen(' ', " --set ", 1)
+            case.engine.replace(' ', " --set ")
         ),
     };
     lines.push(format!("to see it: {show}"));
