@@ -404,6 +404,12 @@ fn advice(schema: &Value, target: &Value) -> String {
         .unwrap_or_default();
     let words = description.split_whitespace().collect::<Vec<_>>().join(" ");
     let advice = words.rsplit("; ").next().unwrap_or_default();
+    if advice.is_empty()
+        && let Some(properties) = target["properties"].as_object()
+    {
+        let keys: Vec<&str> = properties.keys().map(String::as_str).collect();
+        return format!("its keys are {}", quoted(&keys));
+    }
     advice.trim_end_matches('.').to_owned()
 }
 
