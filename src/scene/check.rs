@@ -58,10 +58,11 @@ impl<'s> Walk<'s> {
     fn value(&mut self, path: &str, schema: &'s Value, around: &str, value: &Spanned<DeValue<'_>>) {
         let target = self.target(schema);
         let own = advice(schema, target);
-        let advice = if own.is_empty() {
-            around.to_owned()
-        } else {
-            own
+        let advice = match (own.is_empty(), around.is_empty()) {
+            (false, _) => own,
+            (true, false) => around.to_owned(),
+            // a law of several has its description beside it, not on itself
+            (true, true) => contents(path, target),
         };
         let span = value.span();
         if let Some(words) = words(target) {
@@ -373,6 +374,16 @@ fn advice(schema: &Value, target: &Value) -> String {
     let words = description.split_whitespace().collect::<Vec<_>>().join(" ");
     let advice = words.rsplit("; ").next().unwrap_or_default();
     advice.trim_end_matches('.').to_owned()
+}
+
+/// What a table without advice of its own holds.
+fn contents(path: &str, schema: &Value) -> String {
+    let known = keys(&schema["properties"]);
+    if known.is_empty() {
+        format!("write it as {}, which takes no keys", header(path))
+    } else {
+        format!("write it as {} with {}", header(path), quoted(&known))
+    }
 }
 
 fn with_guess<'a>(word: &str, known: impl Iterator<Item = &'a str>, otherwise: &str) -> String {

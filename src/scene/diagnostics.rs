@@ -146,7 +146,7 @@ impl Diagnostics {
 
     fn render_one(&self, renderer: &Renderer, problem: &Diagnostic) -> String {
         let mark = |span: &Range<usize>, kind: AnnotationKind, label: &str| {
-            kind.span(self.within(span)).label(label.to_owned())
+            kind.span(self.within(span)).label(printable(label))
         };
         let primary = mark(&problem.span, AnnotationKind::Primary, &problem.label);
         let others = problem
