@@ -2,6 +2,7 @@
 //!
 //! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 something that must hold does not, 2 it could not run.
 
+mod accepted;
 mod arguments;
 mod check;
 mod compare;

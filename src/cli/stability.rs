@@ -1,34 +1,25 @@
 //! `carom stability`.
 
 use super::arguments::{StabilityArguments, parse_engines};
-use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal, versions};
+use super::{Failure, accepted, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
-use crate::gate::{self, Accepted, Decision, Located, Refused, Row, Standing};
+use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, catalogue};
 use crate::study::Watch;
 use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
-use std::fs;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// A terminal shows no more changes than this.
-const MOST_CHANGES: usize = 40;
+/// What accepts the findings.
+const COMMAND: &str = "carom stability";
 
 /// Runs the hard cases, holds them against what was accepted, or accepts them.
 pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
-    let reason = reason(arguments)?;
+    let reason = accepted::reason(arguments.reason.as_deref())?;
     let question = question(arguments)?;
-    let files: Vec<PathBuf> = question
-        .scenes
-        .iter()
-        .map(|scene| arguments.accepted.join(format!("{}.csv", scene.name)))
-        .collect();
+    let files = accepted::files(&arguments.accepted, &question.scenes);
     // a file that cannot be read is said before anything runs
-    let accepted = files
-        .iter()
-        .map(|file| read(file))
-        .collect::<Result<Vec<_>, _>>()?;
+    let before = accepted::read(&files, COMMAND)?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -38,9 +29,9 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let outcome = study(question, watch);
     drop(progress);
     let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
-    let held = Held::new(outcome, accepted, arguments);
+    let held = Held::new(outcome, before, arguments);
     let printed = publish(
-        &held.document(summary, MOST_CHANGES),
+        &held.document(summary, accepted::MOST_CHANGES),
         &arguments.format,
         || held.document(page, usize::MAX),
         arguments.out.as_deref(),
@@ -51,34 +42,13 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-/// Why the findings are accepted; `None` if they are to be held.
-fn reason(arguments: &StabilityArguments) -> Result<Option<String>, Failure> {
-    let Some(reason) = arguments.reason.as_deref().map(str::trim) else {
-        return Ok(None);
-    };
-    if reason.is_empty() {
-        return Err(Failure::Message(
-            "`--reason` is empty: say why these findings are right, or why they stay as they are"
-                .to_owned(),
-        ));
-    }
-    Ok(Some(reason.to_owned()))
-}
-
 fn question(arguments: &StabilityArguments) -> Result<Question, Failure> {
     let presets = match &arguments.engines {
         Some(list) => parse_engines(list)?,
         None => presets(),
     };
-    let mut scenes = scenes(arguments)?;
-    if let Some(twice) =
-        (1..scenes.len()).find(|&i| scenes[..i].iter().any(|s| s.name == scenes[i].name))
-    {
-        let name = scenes.swap_remove(twice).name;
-        return Err(Failure::Message(format!("scene {name} is named twice")));
-    }
     Ok(Question {
-        scenes,
+        scenes: scenes(arguments)?,
         presets,
         full: arguments.full,
         pictures: arguments.out.is_some(),
@@ -88,34 +58,13 @@ fn question(arguments: &StabilityArguments) -> Result<Question, Failure> {
 /// The scenes that were named, or the set `hard`, without those that take long unless `--full` is given.
 fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
     if !arguments.scenes.is_empty() {
-        let named = arguments.scenes.iter().map(|name| scene::resolve(name));
-        return Ok(named.collect::<Result<_, _>>()?);
+        return accepted::named(&arguments.scenes);
     }
     let mut scenes = catalogue::set("hard")?;
     if !arguments.full {
         scenes.retain(|scene| !scene.sets.iter().any(|set| set == "full"));
     }
     Ok(scenes)
-}
-
-/// The accepted findings in a file; `None` if there is no such file.
-fn read(file: &Path) -> Result<Option<Accepted>, Failure> {
-    let text = match fs::read_to_string(file) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => {
-            let message = format!("cannot read {}: {error}", file.display());
-            return Err(Failure::Message(message));
-        }
-    };
-    let accepted = gate::read(&text).map_err(|malformed| {
-        Failure::Message(format!(
-            "{}, {malformed}; mend it, or remove it and run `carom stability {} --accept --reason \"...\"`",
-            file.display(),
-            file.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
-        ))
-    })?;
-    Ok(Some(accepted))
 }
 
 /// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
@@ -269,11 +218,7 @@ impl Held {
     /// Writes the files of the scenes in which something changed.
     fn accept(&self, files: &[PathBuf], reason: &str) -> Result<ExitCode, Failure> {
         if let Err(refused) = self.standing().acceptance() {
-            terminal::say(&format!("error: {refused}"));
-            return Ok(ExitCode::from(match refused {
-                Refused::CutShort => COULD_NOT_RUN,
-                _ => NOT_MET,
-            }));
+            return Ok(accepted::refuse(&refused));
         }
         let mut written = 0;
         for (index, scene) in self.outcome.question.scenes.iter().enumerate() {
@@ -285,7 +230,7 @@ impl Held {
             if known && !changed && self.new == 0 {
                 continue;
             }
-            let accepted = Accepted {
+            let now = Accepted {
                 scene: scene.name.clone(),
                 hash: scene.hash(),
                 reason: reason.to_owned(),
@@ -293,14 +238,10 @@ impl Held {
                 bits: Vec::new(),
                 rows: self.rows(index),
             };
-            output::write_file(&files[index], gate::write(&accepted).as_bytes())?;
+            output::write_file(&files[index], gate::write(&now).as_bytes())?;
             written += 1;
         }
-        let folder = self.folder.display();
-        terminal::say(&format!(
-            "Accepted: {written} of {} files written below {folder}.",
-            files.len()
-        ));
+        accepted::written(written, files, &self.folder);
         Ok(ExitCode::SUCCESS)
     }
 
@@ -333,12 +274,7 @@ impl Held {
         let standing = self.standing();
         match standing.decision() {
             Decision::Met => Ok(printed),
-            Decision::NotMet => {
-                terminal::say(
-                    "Not as accepted. If it is right: `carom stability --accept --reason \"...\"`.",
-                );
-                Ok(ExitCode::from(NOT_MET))
-            }
+            Decision::NotMet => Ok(accepted::not_met(COMMAND)),
             Decision::Incomplete if standing.cut_short => Err(Failure::Message(
                 "it was stopped before its end, so it is not held against what was accepted"
                     .to_owned(),
@@ -351,7 +287,7 @@ impl Held {
     fn missing(&self, arguments: &StabilityArguments) -> Failure {
         let unknown = self.unknown();
         let whole_set = arguments.scenes.is_empty() && unknown.len() == self.accepted.len();
-        let mut command = "carom stability".to_owned();
+        let mut command = COMMAND.to_owned();
         if !whole_set {
             command += &format!(" {}", unknown.join(" "));
         }

@@ -77,10 +77,12 @@ impl<'s> Walk<'s> {
         let target = self.target(schema);
         let own = advice(schema, target);
         let around = Around {
-            advice: if own.is_empty() {
-                around.advice.clone()
-            } else {
-                own
+            advice: match (own.is_empty(), around.advice.is_empty()) {
+                (false, _) => own,
+                (true, false) => around.advice.clone(),
+                // a law of several has its description beside it, not on itself
+                (true, true) if kind_of(target) == "object" => contents(path, target),
+                (true, true) => own,
             },
             any_size: around.any_size || schema[ANY_SIZE] == true,
         };
@@ -404,13 +406,17 @@ fn advice(schema: &Value, target: &Value) -> String {
         .unwrap_or_default();
     let words = description.split_whitespace().collect::<Vec<_>>().join(" ");
     let advice = words.rsplit("; ").next().unwrap_or_default();
-    if advice.is_empty()
-        && let Some(properties) = target["properties"].as_object()
-    {
-        let keys: Vec<&str> = properties.keys().map(String::as_str).collect();
-        return format!("its keys are {}", quoted(&keys));
-    }
     advice.trim_end_matches('.').to_owned()
+}
+
+/// What a table without advice of its own holds.
+fn contents(path: &str, schema: &Value) -> String {
+    let known = keys(&schema["properties"]);
+    if known.is_empty() {
+        format!("write it as {}, which takes no keys", header(path))
+    } else {
+        format!("write it as {} with {}", header(path), quoted(&known))
+    }
 }
 
 fn with_guess<'a>(word: &str, known: impl Iterator<Item = &'a str>, otherwise: &str) -> String {

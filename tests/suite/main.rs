@@ -1,6 +1,7 @@
 //! One test binary: what the crate promises, held from outside.
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
+mod accepting;
 mod architecture;
 mod check;
 mod claims;

@@ -58,20 +58,3 @@ fn readers_that_are_given_nothing_refuse_it_with_a_place_and_words() {
     assert_eq!(engine_list("", &scene), Ok(false));
     assert_eq!(engine_list("exact", &scene), Ok(true));
 }
-
-/// Found by `carom fuzz --inputs`: the label of a ball went to the terminal as it was, and a table in place of a number had no help.
-#[test]
-fn errors_are_printable_and_say_what_would_be_right() {
-    let text = "name = \"x\"\nduration = 1.0\n[ball]\nradius = 0.2\nmass = 0.1\n[[balls]]\nid = \"\\u0000\"\nposition = [0.0, 0.0]\n\
-                [[balls]]\nid = \"8\"\nposition = [0.1, 0.0]\n[effects.contact.elastic]\n";
-    let error = parse("a.toml", text).unwrap_err().to_string();
-    assert!(error.contains("overlap"), "{error}");
-    assert!(!error.contains('\0'), "{error:?}");
-    let text = "name = \"x\"\nduration = 1.0\n[ball]\nradius = 0.2\nmass = 0.1\n[[balls]]\nid = \"a\"\nposition = [0.0, 0.0]\n\
-                [shot]\nforce = 3\n";
-    let error = parse("a.toml", text).unwrap_err().to_string();
-    assert!(
-        error.contains("force must be a table") && error.contains("`angle_deg`"),
-        "{error}"
-    );
-}

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicBool;
 
 const SCENES: u64 = 10_000;
-const SEED: u64 = 20_261_124;
+const SEED: u64 = 31;
 
 /// Fewer than `carom fuzz` has: most scenes show what they have to show early.
 const MAX_EVENTS: u64 = 200;

@@ -119,4 +119,41 @@ fn no_control_character_of_a_file_reaches_the_terminal() {
         shown += 1;
     }
     assert_eq!(shown, 32 + 1 + 32 - 1);
+    // an id that is wrong already is named beside the balls that it overlaps
+    let ball = |id: &str, x: f64| format!("[[balls]]\nid = \"{id}\"\nposition = [{x:?}, 0.0]\n");
+    let text = format!(
+        "name = \"a\"\nduration = 1.0\nball = {{ radius = 1.0, mass = 1.0 }}\n{}{}",
+        ball("\\u0000\\u001b", 0.0),
+        ball("b", 1.0)
+    );
+    let error = parse("control.toml", &text).unwrap_err().to_string();
+    assert!(error.contains("overlap"), "{error}");
+    assert!(
+        !error.contains(|c: char| c.is_control() && c != '\n'),
+        "{error:?}"
+    );
+}
+
+#[test]
+fn a_law_that_is_no_table_is_told_what_it_holds() {
+    let head = "name = \"a\"\nduration = 1.0\nball = { radius = 1.0, mass = 1.0 }\n\n";
+    for (text, help) in [
+        (
+            "[shot]\nforce = 3.0\n",
+            "`ball`, `angle_deg`, `force`, `contact_time`",
+        ),
+        (
+            "[effects.cloth]\ntranslational = 0.2\n",
+            "write it as `[effects.cloth.translational]` with `mu`",
+        ),
+        (
+            "[effects.contact]\nelastic = true\n",
+            "write it as `[effects.contact.elastic]`, which takes no keys",
+        ),
+    ] {
+        let error = parse("law.toml", &format!("{head}{text}"))
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(help), "{error}");
+    }
 }

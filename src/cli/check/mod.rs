@@ -3,40 +3,37 @@
 mod outputs;
 
 use super::arguments::CheckArguments;
-use super::{COULD_NOT_RUN, Failure, NOT_MET, output, publish, scene, terminal, versions};
+use super::{Failure, NOT_MET, accepted, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
-use crate::gate::{self, Accepted, Bits, Decision, Held, Refused};
+use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
-use crate::scene::{Scene, catalogue};
+use crate::scene::catalogue;
 use crate::study::Watch;
 use crate::study::check::{Level, bounds, page, study, summary};
 use crate::study::compare::default_columns;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// A terminal shows no more changes than this.
-const MOST_CHANGES: usize = 40;
-
 /// A job summary shows no more: its service cuts off what is long.
 const MOST_IN_SUMMARY: usize = 200;
 
+/// What accepts the findings.
+const COMMAND: &str = "carom check";
+
 /// Runs the scenes of the gate and holds them against their baselines, or accepts what is found.
 pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
-    let reason = reason(arguments)?;
-    let scenes = scenes(&arguments.scenes)?;
+    let reason = accepted::reason(arguments.reason.as_deref())?;
+    let scenes = if arguments.scenes.is_empty() {
+        catalogue::set("gate")?
+    } else {
+        accepted::named(&arguments.scenes)?
+    };
     let folder = &arguments.baseline;
-    let files: Vec<PathBuf> = scenes
-        .iter()
-        .map(|scene| folder.join(format!("{}.csv", scene.name)))
-        .collect();
+    let files = accepted::files(folder, &scenes);
     // a file that cannot be read is said before anything runs
-    let accepted = files
-        .iter()
-        .map(|file| read(file))
-        .collect::<Result<Vec<_>, _>>()?;
+    let before = accepted::read(&files, COMMAND)?;
     let unread = if arguments.scenes.is_empty() {
         unread(folder, &files)
     } else {
@@ -52,10 +49,10 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     let outcome = study(&scenes, &default_columns(), watch);
     let seconds = start.elapsed().as_secs_f64();
     drop(progress);
-    let held = Held::new(outcome, accepted, unread);
+    let held = Held::new(outcome, before, unread);
     write(&held, arguments)?;
     let listed = arguments.format == "text";
-    let mut shown = document(&held, folder, summary, MOST_CHANGES, listed);
+    let mut shown = document(&held, folder, summary, accepted::MOST_CHANGES, listed);
     if arguments.verbose {
         shown.blocks.push(Block::Table(bounds()));
     }
@@ -71,56 +68,6 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         Some(reason) => accept(&held, &files, folder, &reason),
         None => decide(&held, printed, arguments),
     }
-}
-
-/// Why the findings are accepted; `None` if they are to be held.
-fn reason(arguments: &CheckArguments) -> Result<Option<String>, Failure> {
-    let Some(reason) = arguments.reason.as_deref().map(str::trim) else {
-        return Ok(None);
-    };
-    if reason.is_empty() {
-        return Err(Failure::Message(
-            "`--reason` is empty: say why these findings are right, or why they stay as they are"
-                .to_owned(),
-        ));
-    }
-    Ok(Some(reason.to_owned()))
-}
-
-/// The scenes that were named, or the set `gate`.
-fn scenes(named: &[String]) -> Result<Vec<Scene>, Failure> {
-    if named.is_empty() {
-        return Ok(catalogue::set("gate")?);
-    }
-    let mut scenes: Vec<Scene> = Vec::new();
-    for name in named {
-        let scene = scene::resolve(name)?;
-        if scenes.iter().any(|known| known.name == scene.name) {
-            let message = format!("scene {} is named twice", scene.name);
-            return Err(Failure::Message(message));
-        }
-        scenes.push(scene);
-    }
-    Ok(scenes)
-}
-
-/// The accepted findings in a file; `None` if there is no such file.
-fn read(file: &Path) -> Result<Option<Accepted>, Failure> {
-    let text = match fs::read_to_string(file) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => {
-            let message = format!("cannot read {}: {error}", file.display());
-            return Err(Failure::Message(message));
-        }
-    };
-    let accepted = gate::read(&text).map_err(|malformed| {
-        Failure::Message(format!(
-            "{}, {malformed}; mend it, or remove it and run `carom check --accept --reason \"...\"`",
-            file.display()
-        ))
-    })?;
-    Ok(Some(accepted))
 }
 
 /// Names of baselines in the folder that no scene reads.
@@ -256,11 +203,7 @@ fn accept(
     reason: &str,
 ) -> Result<ExitCode, Failure> {
     if let Err(refused) = held.standing().acceptance() {
-        terminal::say(&format!("error: {refused}"));
-        return Ok(ExitCode::from(match refused {
-            Refused::CutShort => COULD_NOT_RUN,
-            _ => NOT_MET,
-        }));
+        return Ok(accepted::refuse(&refused));
     }
     let mut written = 0;
     for ((scene, before), file) in held.outcome.scenes.iter().zip(&held.accepted).zip(files) {
@@ -269,7 +212,7 @@ fn accept(
         if known && !changed {
             continue;
         }
-        let accepted = Accepted {
+        let now = Accepted {
             scene: scene.name.clone(),
             hash: scene.hash(),
             reason: reason.to_owned(),
@@ -277,14 +220,10 @@ fn accept(
             bits: held.bits_of(&scene.name),
             rows: held.rows(&scene.name),
         };
-        output::write_file(file, gate::write(&accepted).as_bytes())?;
+        output::write_file(file, gate::write(&now).as_bytes())?;
         written += 1;
     }
-    terminal::say(&format!(
-        "Accepted: {written} of {} files written below {}.",
-        files.len(),
-        folder.display()
-    ));
+    accepted::written(written, files, folder);
     for file in &held.unread {
         terminal::say(&format!("No scene reads {file}: remove it."));
     }
@@ -300,12 +239,7 @@ fn decide(held: &Held, printed: ExitCode, arguments: &CheckArguments) -> Result<
             terminal::say("A promised invariant does not hold; that is not up to acceptance.");
             Ok(ExitCode::from(NOT_MET))
         }
-        Decision::NotMet => {
-            terminal::say(
-                "Not as accepted. If it is right: `carom check --accept --reason \"...\"`.",
-            );
-            Ok(ExitCode::from(NOT_MET))
-        }
+        Decision::NotMet => Ok(accepted::not_met(COMMAND)),
         Decision::Incomplete if standing.cut_short => Err(Failure::Message(format!(
             "it did not run to its end: {} of {} cases did not run",
             held.outcome.missing(),

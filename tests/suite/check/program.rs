@@ -1,7 +1,7 @@
 //! `carom check` as CI meets it: exit codes and files.
 
 use super::{SCENES, accept, baselines, check, command, said};
-use carom::gate;
+use crate::accepting::kill_while_accepting;
 use std::fs;
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -157,35 +157,7 @@ fn a_kill_while_accepting_leaves_whole_baselines() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     accept(folder, &SCENES);
-    let whole: Vec<String> = SCENES
-        .map(|s| fs::read_to_string(folder.join(format!("{s}.csv"))).unwrap())
-        .into();
-    let mut killed = 0;
-    for attempt in 0..8 {
-        // every file differs from what is found, so every file is written anew
-        for (scene, text) in SCENES.iter().zip(&whole) {
-            let file = folder.join(format!("{scene}.csv"));
-            fs::write(file, text.replacen("holds", "breaks", 1)).unwrap();
-        }
-        let arguments = [&SCENES[..], &["--accept", "--reason", "again"]].concat();
-        let mut child = command(folder, &arguments)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        // the first word of the document is printed just before the files are written
-        let mut first = [0; 1];
-        std::io::Read::read_exact(child.stdout.as_mut().unwrap(), &mut first).unwrap();
-        std::thread::sleep(Duration::from_micros(400 * attempt));
-        child.kill().unwrap();
-        killed += usize::from(!child.wait().unwrap().success());
-        for scene in SCENES {
-            let text = fs::read_to_string(folder.join(format!("{scene}.csv"))).unwrap();
-            let read = gate::read(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
-            assert!(read.rows.len() > 20, "{scene}: {}", read.rows.len());
-        }
-    }
-    assert!(killed > 0, "no attempt was killed before its end");
+    kill_while_accepting(folder, &SCENES, command);
 }
 
 #[cfg(unix)]

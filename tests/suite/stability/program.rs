@@ -1,13 +1,13 @@
 //! `carom stability` as CI meets it: exit codes, files, formats.
 
+use crate::accepting::kill_while_accepting;
 use assert_cmd::cargo::cargo_bin;
 use carom::gate;
 use carom::report::FORMATS;
 use carom::scene::catalogue;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-use std::time::Duration;
+use std::process::{Command, Output};
 
 /// A scene in which every engine takes a moment.
 const SCENE: &str = "thin-cut-1e-2";
@@ -125,38 +125,7 @@ fn a_kill_while_accepting_leaves_whole_files() {
     let folder = folder.path();
     let scenes = ["slide", "head-on", SCENE];
     accept(folder, &scenes);
-    let whole: Vec<String> = scenes
-        .map(|s| fs::read_to_string(folder.join(format!("{s}.csv"))).unwrap())
-        .into();
-    let mut killed = 0;
-    for attempt in 0..8 {
-        // every file differs from what is found, so every file is written anew
-        for (scene, text) in scenes.iter().zip(&whole) {
-            fs::write(
-                folder.join(format!("{scene}.csv")),
-                text.replacen("holds", "breaks", 1),
-            )
-            .unwrap();
-        }
-        let arguments = [&scenes[..], &["--accept", "--reason", "again"]].concat();
-        let mut child = command(folder, &arguments)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        // the first word of the document is printed just before the files are written
-        let mut first = [0; 1];
-        std::io::Read::read_exact(child.stdout.as_mut().unwrap(), &mut first).unwrap();
-        std::thread::sleep(Duration::from_micros(400 * attempt));
-        child.kill().unwrap();
-        killed += usize::from(!child.wait().unwrap().success());
-        for scene in scenes {
-            let text = fs::read_to_string(folder.join(format!("{scene}.csv"))).unwrap();
-            let read = gate::read(&text).unwrap_or_else(|error| panic!("{scene}: {error}"));
-            assert!(read.rows.len() > 20, "{scene}: {}", read.rows.len());
-        }
-    }
-    assert!(killed > 0, "no attempt was killed before its end");
+    kill_while_accepting(folder, &scenes, command);
 }
 
 #[test]

@@ -1,0 +1,96 @@
+//! Accepted findings as files: what `check` and `stability` do alike with them.
+
+use super::{COULD_NOT_RUN, Failure, NOT_MET, scene, terminal};
+use crate::gate::{self, Accepted, Refused};
+use crate::scene::Scene;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// A terminal shows no more changes than this.
+pub const MOST_CHANGES: usize = 40;
+
+/// Why findings are accepted; `None` if they are to be held. `given`: as `--reason` gives it.
+pub fn reason(given: Option<&str>) -> Result<Option<String>, Failure> {
+    let Some(reason) = given.map(str::trim) else {
+        return Ok(None);
+    };
+    if reason.is_empty() {
+        return Err(Failure::Message(
+            "`--reason` is empty: say why these findings are right, or why they stay as they are"
+                .to_owned(),
+        ));
+    }
+    Ok(Some(reason.to_owned()))
+}
+
+/// The scenes that are named, each once: a scene has one file.
+pub fn named(names: &[String]) -> Result<Vec<Scene>, Failure> {
+    let mut scenes: Vec<Scene> = Vec::new();
+    for name in names {
+        let scene = scene::resolve(name)?;
+        if scenes.iter().any(|known| known.name == scene.name) {
+            let message = format!("scene {} is named twice", scene.name);
+            return Err(Failure::Message(message));
+        }
+        scenes.push(scene);
+    }
+    Ok(scenes)
+}
+
+/// The file of each scene in a folder.
+pub fn files(folder: &Path, scenes: &[Scene]) -> Vec<PathBuf> {
+    let file = |scene: &Scene| folder.join(format!("{}.csv", scene.name));
+    scenes.iter().map(file).collect()
+}
+
+/// The accepted findings in each file; `None` where there is none. `command`: the one that writes them, such as `carom check`.
+pub fn read(files: &[PathBuf], command: &str) -> Result<Vec<Option<Accepted>>, Failure> {
+    files.iter().map(|file| read_one(file, command)).collect()
+}
+
+fn read_one(file: &Path, command: &str) -> Result<Option<Accepted>, Failure> {
+    let text = match fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => {
+            let message = format!("cannot read {}: {error}", file.display());
+            return Err(Failure::Message(message));
+        }
+    };
+    let accepted = gate::read(&text).map_err(|malformed| {
+        let scene = file.file_stem().unwrap_or_default().to_string_lossy();
+        Failure::Message(format!(
+            "{}, {malformed}; mend it, or remove it and run `{command} {scene} --accept --reason \"...\"`",
+            file.display()
+        ))
+    })?;
+    Ok(Some(accepted))
+}
+
+/// Says why nothing is accepted.
+pub fn refuse(refused: &Refused) -> ExitCode {
+    terminal::say(&format!("error: {refused}"));
+    ExitCode::from(match refused {
+        Refused::CutShort => COULD_NOT_RUN,
+        _ => NOT_MET,
+    })
+}
+
+/// Says that the findings are not as accepted, and what to do if they are right.
+pub fn not_met(command: &str) -> ExitCode {
+    terminal::say(&format!(
+        "Not as accepted. If it is right: `{command} --accept --reason \"...\"`."
+    ));
+    ExitCode::from(NOT_MET)
+}
+
+/// Says how many files were written.
+pub fn written(written: usize, files: &[PathBuf], folder: &Path) {
+    terminal::say(&format!(
+        "Accepted: {written} of {} files written below {}.",
+        files.len(),
+        folder.display()
+    ));
+}
