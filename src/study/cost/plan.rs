@@ -154,7 +154,8 @@ pub fn families(scene: &Scene, named: &[Column], grid: Grid, until: f64) -> Vec<
                 }
             }
             let same = |family: &Family| {
-                let known = family.levels.iter().map(|level| &level.column.setting);
+                let kept = family.levels.iter().map(|level| &level.column.setting);
+                let known = kept.chain(&family.left_out);
                 family.given.engine.id() == column.engine.id() && known.eq(settings.iter())
             };
             // a given key can make two ladders the same, or leave one rung
