@@ -77,15 +77,32 @@ pub(super) struct Journal<'a> {
     used: bool,
     /// Where no centre is beyond where the cushions let it be, whatever its radius: the least and the greatest x, those of y, length.
     inner: [[f64; 2]; 2],
-    /// Kinetic energy of every ball at the start of the step, mass * length^2/s^2.
-    energies: Vec<f64>,
+    /// What every step asks of each ball, close together: the way to memory is most of what a quiet step costs.
+    bodies: Vec<Body>,
     /// Pairs that may overlap; `None` where distances cannot be squared.
     near: Option<Near>,
-    /// Square of the distance in space from which on no two balls overlap, length^2.
+    /// Square of the distance, in plan or in space, from which on no two balls overlap, length^2.
     bound: f64,
     exchanges: u64,
     contacts: u64,
     unattributed: u64,
+}
+
+/// One ball, as every step needs it.
+#[derive(Clone, Copy, Debug)]
+struct Body {
+    mass: f64,
+    /// Moment of inertia, mass * length^2; `None` where balls do not turn.
+    inertia: Option<f64>,
+    /// Kinetic energy at the start of the step, mass * length^2/s^2.
+    energy: f64,
+}
+
+impl Body {
+    /// Kinetic energy of this ball in `state`, mass * length^2/s^2.
+    fn energy_in(&self, state: &State) -> f64 {
+        kinetic_energy(state, self.mass, self.inertia)
+    }
 }
 
 /// What is known of one ball within one step.
@@ -143,8 +160,16 @@ impl<'a> Journal<'a> {
             balls: vec![BallStep::default(); initial.len()],
             used: true,
             inner: inner(scene),
-            energies: (initial.iter().enumerate())
-                .map(|(ball, state)| energy(scene, ball, state))
+            bodies: (initial.iter().enumerate())
+                .map(|(ball, state)| {
+                    let mass = scene.balls[ball].mass;
+                    let inertia = scene.inertia(ball);
+                    Body {
+                        mass,
+                        inertia,
+                        energy: kinetic_energy(state, mass, inertia),
+                    }
+                })
                 .collect(),
             near: Near::new(2.0 * largest_radius, initial.len()),
             bound: (2.0 * largest_radius).powi(2) * (1.0 + ROUNDING),
@@ -157,7 +182,7 @@ impl<'a> Journal<'a> {
     /// True when no ball in play moves or spins.
     pub fn all_at_rest(&self, states: &[State]) -> bool {
         let rests = |(i, state): (usize, &State)| {
-            state.speed() <= self.rest_speed && !self.spinning[i] && !self.sliding[i]
+            !exceeds(state, self.rest_speed) && !self.spinning[i] && !self.sliding[i]
                 || !self.in_play[i]
         };
         states.iter().enumerate().all(rests)
@@ -274,16 +299,20 @@ impl<'a> Journal<'a> {
             }
         }
         let dt = span.end - span.start;
-        for (index, ball) in self.balls.iter().enumerate() {
+        let pushed = !pushes.is_empty();
+        for (index, body) in self.bodies.iter().enumerate() {
             let mut left = after[index].velocity - before[index].velocity;
-            let mass = self.scene.balls[index].mass;
-            if ball.impulse != Vec3::zeros() {
-                left -= ball.impulse / mass;
-            }
             // the cloth takes mu g dt in any direction of the plan, to its own solver's accuracy; the impulses are normal
-            let cloth = self.felt.most_drag(presses[index] / mass, dt) * dt;
-            let rubbed = self.rub * ball.pressed / mass;
-            if left.xy().norm() > 1.001 * cloth + rubbed + self.noise {
+            let cloth = self.felt.most_drag(presses[index] / body.mass, dt) * dt;
+            let mut explained = 1.001 * cloth + self.noise;
+            if pushed {
+                let ball = &self.balls[index];
+                left -= ball.impulse / body.mass;
+                explained += self.rub * ball.pressed / body.mass;
+            }
+            // the sum is no less than the norm, and needs no root
+            let within = left.x.abs() + left.y.abs() <= explained;
+            if !within && left.xy().norm() > explained {
                 self.unattributed += 1;
             }
         }
@@ -404,7 +433,7 @@ impl<'a> Journal<'a> {
                 self.left.push(ball);
                 let near = self.near(span, before, after, ball);
                 self.recorder.pocket(ball, span.end, &near, pocket as u32);
-                let taken = energy(self.scene, ball, &after[ball]);
+                let taken = self.bodies[ball].energy_in(&after[ball]);
                 self.recorder.energy_change(span.end, -taken, ball, None);
             }
         }
@@ -452,7 +481,7 @@ impl<'a> Journal<'a> {
             if !self.in_play[ball] {
                 continue;
             }
-            if after[ball].speed() > self.rest_speed {
+            if exceeds(&after[ball], self.rest_speed) {
                 self.moving[ball] = true;
             } else if self.moving[ball] {
                 self.moving[ball] = false;
@@ -522,10 +551,10 @@ impl<'a> Journal<'a> {
 
     fn energy(&mut self, time: f64, after: &[State], pushes: &[Push]) {
         let (mut total, mut largest, mut winner) = (0.0, f64::NEG_INFINITY, 0);
-        for (index, (known, state)) in self.energies.iter_mut().zip(after).enumerate() {
-            let now = energy(self.scene, index, state);
-            let change = now - *known;
-            *known = now;
+        for (index, (body, state)) in self.bodies.iter_mut().zip(after).enumerate() {
+            let now = body.energy_in(state);
+            let change = now - body.energy;
+            body.energy = now;
             total += change;
             if change > largest {
                 (largest, winner) = (change, index);
@@ -604,7 +633,8 @@ impl<'a> Journal<'a> {
         near.place(after.iter().map(plan), reach);
         for pair in near.pairs() {
             let [a, b] = pair.map(|ball| ball as usize);
-            let apart = (after[a].position - after[b].position).norm_squared();
+            let [first, second] = [near.now()[a], near.now()[b]];
+            let apart = (first[0] - second[0]).powi(2) + (first[1] - second[1]).powi(2);
             // a gap is no extremum: most pairs need no root
             if apart < self.bound {
                 self.overlap(time, after, a, b);
@@ -621,6 +651,12 @@ impl<'a> Journal<'a> {
         let depth = reach - (after[a].position - after[b].position).norm();
         self.recorder.overlap(time, depth, a, b);
     }
+}
+
+/// True when a ball's centre is faster than `speed`, length/s. A component that is alone saves the root.
+fn exceeds(state: &State, speed: f64) -> bool {
+    let [x, y] = [state.velocity.x.abs(), state.velocity.y.abs()];
+    x > speed || y > speed || state.speed() > speed
 }
 
 /// Where the cushions let every ball of a scene be: the least and the greatest x, and those of y, length.
@@ -641,11 +677,6 @@ fn inner(scene: &Scene) -> [[f64; 2]; 2] {
         }
     }
     inner
-}
-
-/// Kinetic energy of a ball of the scene, mass * length^2/s^2.
-fn energy(scene: &Scene, ball: usize, state: &State) -> f64 {
-    kinetic_energy(state, scene.balls[ball].mass, scene.inertia(ball))
 }
 
 /// The point of the way from `start` that is nearest to the centre of a circle `[x, y, r]`, in plan.

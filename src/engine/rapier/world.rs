@@ -304,8 +304,9 @@ impl World for Billiard {
     fn pushes(&self, pushes: &mut Vec<Push>) {
         pushes.clear();
         for pair in self.world.narrow_phase.contact_pairs() {
-            // most pairs did nothing, or are a ball's with the cloth: they must be cheap to see
-            if pair.solver_manifolds().iter().any(pushed) && !self.is_with_cloth(pair) {
+            // most pairs did nothing, or are a ball's with the cloth, which always pushes: they must be cheap to see, and what
+            // costs is the way to a manifold in memory
+            if !self.is_with_cloth(pair) && pair.solver_manifolds().iter().any(pushed) {
                 pushes.extend(self.push(pair));
             }
         }
