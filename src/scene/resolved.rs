@@ -208,16 +208,23 @@ impl Scene {
     pub fn fastest(&self) -> f64 {
         let masses = self.balls.iter().map(|ball| ball.mass);
         let lightest = masses.fold(f64::INFINITY, f64::min);
-        (2.0 * self.initial_energy() / lightest).sqrt()
+        (2.0 * (self.initial_energy() / lightest)).sqrt()
     }
 
-    /// What the place of a ball is good to at an event that is solved for in f64, length: [`Scene::touching`], and two roundings
-    /// of the clock at the largest speed.
+    /// What the place of a ball is good to at an event that is solved for in f64, length; also how far such an engine may leave a
+    /// ball outside or in another one.
     ///
-    /// It is also how far such an engine may leave a ball outside or in another one; a fast ball late in a long run moves
-    /// farther between two numbers of the clock than coordinates are good to.
+    /// [`Scene::touching`], and 8 ulp of the longest way that a ball can go: the time of an event is one number, and so is a
+    /// velocity. A speed that is noise (8 ulp of the fastest possible) moves a ball by that much until the end, and two ulp of the
+    /// clock do less.
     pub fn place_blur(&self) -> f64 {
-        self.touching() + 2.0 * f64::EPSILON * self.duration * self.fastest()
+        self.place_blur_within(self.largest_coordinate(), self.duration)
+    }
+
+    /// The same of a run up to `time`, s, in which no coordinate is larger than `extent`, length.
+    pub fn place_blur_within(&self, extent: f64, time: f64) -> f64 {
+        let way = self.fastest() * time;
+        1e-12 * self.smallest_radius() + 8.0 * f64::EPSILON * (extent + way)
     }
 
     /// Distance of the centres at which balls `a` and `b` touch, seen in plan, length.

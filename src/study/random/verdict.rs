@@ -3,10 +3,8 @@
 //!
 //! Bounds follow from the scheme that a trace states by its `resolution` `h`: 0 for an engine that solves for its events, else its step.
 //!
-//! - *Rounding*: `1e-12 R + 8 ulp` of the largest coordinate, as in the definition of touching; the coordinate is the largest of scene
-//!   and trace, heights included. And 8 ulp of the longest way that a ball can go: an event's time is one number, and so is a
-//!   velocity. A speed that is noise (8 ulp of the fastest possible, all energy in the lightest ball) moves a ball by that
-//!   much until the end, and two ulp of the clock do less.
+//! - *Rounding*: what the place of a ball is good to ([`Scene::place_blur_within`]), with the largest coordinate of scene and
+//!   trace, heights included.
 //! - *Outside*: rounding, and `|v| h`: a step moves a ball after it has looked at the cushions. `|v|` is the largest speed of the ball
 //!   at any knot. Between knots a velocity is linear in time, so that its size is largest at one of them.
 //! - *Overlap*: rounding, and `n (|v1| + |v2|) h`, where `n` is the largest number of steps for which any pair stayed in contact. A
@@ -100,16 +98,13 @@ impl Bounds {
         let extent = knots().fold(scene.largest_coordinate(), |largest, knot| {
             largest.max(knot.state.position.amax())
         });
-        let masses = scene.balls.iter().map(|ball| ball.mass);
-        let lightest = masses.fold(f64::INFINITY, f64::min);
-        let way = (2.0 * (scene.initial_energy() / lightest)).sqrt() * trace.end_time;
         let h = trace.provenance.resolution;
         let fastest = |knots: &[crate::trace::Knot]| {
             let speeds = knots.iter().map(|knot| knot.state.speed());
             speeds.fold(0.0, f64::max)
         };
         Bounds {
-            rounding: 1e-12 * scene.smallest_radius() + 8.0 * f64::EPSILON * (extent + way),
+            rounding: scene.place_blur_within(extent, trace.end_time),
             step: trace
                 .paths
                 .iter()
