@@ -189,7 +189,8 @@ impl Engine for Stepper {
 
     fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
         let steps = [
-            "0.03", "0.01", "3e-3", "1e-3", "3e-4", "1e-4", "3e-5", "1e-5", "3e-6", "1e-6",
+            "0.02", "0.01", "5e-3", "2e-3", "1e-3", "5e-4", "2e-4", "1e-4", "5e-5", "2e-5", "1e-5",
+            "5e-6", "2e-6", "1e-6",
         ];
         let dt = |base: &Setting| steps.iter().map(|dt| base.clone().with("dt", dt)).collect();
         let as_written = Setting::default();
