@@ -1,0 +1,2 @@
+/* carom. Contains three.js and uPlot, MIT; texts in src/client/LICENSES. */
+"use strict";(()=>{function n(e,t,a={}){e.textContent=`${t.scene.title}: ${t.runs.length} runs${a.growing?", growing":""}`;let o=0;return{ready:Promise.resolve(),seek:i=>{o=i},play:()=>{},pause:()=>{},time:()=>o,destroy:()=>e.replaceChildren()}}function r(){for(let e of document.querySelectorAll("script.replay-data")){let t=e.closest(".replay");t&&e.textContent&&n(t,JSON.parse(e.textContent))}}document.readyState==="loading"?document.addEventListener("DOMContentLoaded",r):r();})();
