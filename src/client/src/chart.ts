@@ -113,7 +113,7 @@ export class Chart {
     const low = positive.reduce((least, value) => Math.min(least, value), Infinity);
     const high = positive.reduce((most, value) => Math.max(most, value), 0);
     const decade = (x: number, up: boolean): number => 10 ** (up ? Math.ceil(Math.log10(x) + 0.05) : Math.floor(Math.log10(x)));
-    const range: [number, number] = facts.log ? [decade(Math.max(low, 1e-17), false), decade(Math.max(high, 1e-16), true)] : [0, high * 1.06 || 1];
+    const range: [number, number] = facts.log ? [decade(Math.max(low, 1e-17), false), decade(Math.max(high, 1e-16), true)] : [0, high * 1.16 || 1];
     const options: uPlot.Options = {
       width,
       height: HEIGHT,
@@ -277,8 +277,8 @@ export class Chart {
       make("tr", {}, make("th", { scope: "row", class: "r" }, name), ...content.lines.map((line) => make("td", { class: "r" }, short(valueAt(content.at, line.values, t)))));
     const even = Array.from({ length: ROWS }, (_, i) => (facts.end * i) / (ROWS - 1));
     const shown = facts.growing ? even.filter((t) => t <= this.time) : even;
-    const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, `${line.label}, ${facts.axis}`)));
-    this.table.replaceChildren(make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
+    const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, line.label)));
+    this.table.replaceChildren(make("caption", {}, facts.axis), make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
   }
 }
 

@@ -3,23 +3,24 @@ import type { Actions } from "./actions.ts";
 import { make } from "./dom.ts";
 import type { Camera, View } from "./view.ts";
 
-const LIST: [string, string][] = [
-  ["Space", "play, pause"],
-  ["← →", "back and on by a hundredth of the shot; with Alt by a thousandth"],
-  [", .", "event before, next event"],
-  ["d", "first divergence, then the next"],
-  ["Home End", "start, end"],
-  ["[ ]", "slower, faster"],
-  ["v", "next camera"],
-  ["t", "trails"],
-  ["Shift + arrows", "turn and tilt the camera"],
-  ["+ − 0", "closer, farther, the whole table"],
-  ["?", "this list"],
+/** Keys, and what they do; keys that are pressed together stand as one. */
+const LIST: [string[], string][] = [
+  [["Space"], "play, pause"],
+  [["←", "→"], "back and on by a hundredth of the shot; with Alt by a thousandth"],
+  [[",", "."], "event before, next event"],
+  [["d"], "first divergence, then the next"],
+  [["Home", "End"], "start, end"],
+  [["[", "]"], "slower, faster"],
+  [["v"], "next camera"],
+  [["t"], "trails"],
+  [["Shift + arrows"], "turn and tilt the camera"],
+  [["+", "−", "0"], "closer, farther, the whole table"],
+  [["?"], "this list"],
 ];
 
 /** The list of keys, closed. */
 export function list(): HTMLDetailsElement {
-  const rows = LIST.map(([key, what]) => make("div", {}, make("dt", {}, ...key.split(" ").map((part) => make("kbd", {}, part))), make("dd", {}, what)));
+  const rows = LIST.map(([keys, what]) => make("div", {}, make("dt", {}, ...keys.map((key) => make("kbd", {}, key))), make("dd", {}, what)));
   return make("details", { class: "rp-keys" }, make("summary", {}, "Keys"), make("dl", {}, ...rows));
 }
 

@@ -39,7 +39,7 @@ export class Plots {
       horizon: data.horizon,
       seek: (t) => actions.seek(t),
     });
-    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, `ball ${ball.id}`)));
+    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, ball.id === "cue" ? "the cue ball" : `ball ${ball.id}`)));
     this.ball.addEventListener("change", () => actions.follow(Number(this.ball.value)));
     this.speed = new Chart(facts("Speed", `speed, ${data.scene.length_unit}/${unit}`), make("label", {}, " of ", this.ball));
     this.energy = new Chart(facts("Kinetic energy", "energy, E0"));

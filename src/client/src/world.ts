@@ -54,7 +54,11 @@ export class World implements View {
     lost: () => void,
   ) {
     this.canvas = document.createElement("canvas");
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    if (!context) {
+      throw new Error("this browser has no WebGL 2");
+    }
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       lost();
@@ -110,10 +114,10 @@ export class World implements View {
     this.renderer.setSize(this.width, this.height, false);
   }
 
-  draw(frame: Frame, choice: Choice, rate: number): boolean {
+  draw(frame: Frame, choice: Choice, rate: number, playing: boolean): boolean {
     const { renderer, camera, eye } = this;
     const now = performance.now();
-    this.watch(now);
+    this.watch(now, playing);
     this.drawn = { frame, choice };
     renderer.setScissorTest(false);
     renderer.clear();
@@ -265,11 +269,11 @@ export class World implements View {
     scene.add(light, light.target);
   }
 
-  /** Saves pixels and shadows where frames come slowly one after another. */
-  private watch(now: number): void {
+  /** Saves pixels and shadows where frames come slowly one after another while it plays. */
+  private watch(now: number, playing: boolean): void {
     const passed = now - this.last;
     this.last = now;
-    if (passed > 400 || this.slow >= PATIENCE) {
+    if (!playing || passed > 400 || this.slow >= PATIENCE) {
       return;
     }
     this.slow = passed > SLOW ? this.slow + 1 : Math.max(0, this.slow - 1);
