@@ -96,7 +96,7 @@ export async function mounted(page) {
 export async function settled(page) {
   await page.waitForFunction(() => {
     const element = document.querySelector(".rp");
-    return element?.dataset.drawn === element?.dataset.time && element?.dataset.playing === "false";
+    return element?.dataset.drawn === element?.dataset.time && element?.dataset.playing === "false" && element.dataset.pending !== "true";
   });
 }
 
@@ -119,6 +119,7 @@ export async function readout(page) {
 
 /** The picture of the table as bytes of a PNG, once two in a row are the same: nothing moves any more. */
 export async function pixels(page) {
+  await settled(page);
   let before = await page.locator(".rp-picture").first().screenshot();
   for (let i = 0; i < 20; i += 1) {
     const now = await page.locator(".rp-picture").first().screenshot();

@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import { valueAt } from "./curves.ts";
 import { make, say } from "./dom.ts";
+import { swatch } from "./legend.ts";
 import { short, timeText } from "./numbers.ts";
 import { ink, inkNow } from "./palette.ts";
 
@@ -41,6 +42,8 @@ export class Chart {
   readonly element: HTMLElement;
   private readonly host = make("div", { class: "rp-plot" });
   private readonly values = make("p", { class: "rp-values" });
+  private readonly numbers: HTMLElement[] = [];
+  private readonly at = make("span", {});
   private readonly table = make("table", {});
   private readonly data: HTMLDetailsElement;
   private readonly nowLine = make("div", { class: "rp-now-line" });
@@ -63,6 +66,9 @@ export class Chart {
   /** Takes other lines. */
   show(content: Content): void {
     this.content = content;
+    const parts = content.lines.map((line) => make("span", { class: "rp-value" }, swatch(line.run), make("span", {})));
+    this.numbers.splice(0, Infinity, ...parts.map((part) => part.lastElementChild as HTMLElement));
+    this.values.replaceChildren(this.at, ...parts);
     this.build();
   }
 
@@ -260,8 +266,8 @@ export class Chart {
   /** Values at the time shown, in words. */
   private tell(): void {
     const { content, facts } = this;
-    const parts = content.lines.map((line) => `${line.label} ${short(valueAt(content.at, line.values, this.time))}`);
-    say(this.values, parts.length > 0 ? `${timeText(this.time, facts.end)} ${facts.timeUnit}: ${parts.join(" · ")}` : "");
+    say(this.at, content.lines.length > 0 ? `${timeText(this.time, facts.end)} ${facts.timeUnit}:` : "");
+    content.lines.forEach((line, i) => say(this.numbers[i], `${line.label} ${short(valueAt(content.at, line.values, this.time))}`));
     if (this.data.open) {
       this.fill();
     }

@@ -456,8 +456,10 @@ class Replay implements Actions {
   /** Draws in the next frame, once however often it is asked for. */
   private readonly ask = (): void => {
     if (this.asked === 0) {
+      this.element.dataset.pending = "true";
       this.asked = requestAnimationFrame(() => {
         this.asked = 0;
+        this.element.dataset.pending = "false";
         this.draw();
       });
     }

@@ -49,9 +49,9 @@ export function hear(element: HTMLElement, reach: Reach): void {
 function press(event: KeyboardEvent, reach: Reach): boolean {
   const { actions } = reach;
   const target = event.target as HTMLElement;
-  // lists and buttons keep their own keys
+  // lists, buttons and boxes keep their own keys
   const own = target.closest("select, button, summary, input:not([type=range])");
-  if (own && (event.key === " " || event.key === "Enter" || (event.key.startsWith("Arrow") && own.matches("select, input")))) {
+  if (own && (own.matches("select") || event.key === " " || event.key === "Enter" || (event.key.startsWith("Arrow") && own.matches("input")))) {
     return false;
   }
   const ways: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
