@@ -21,8 +21,9 @@ export interface Content {
 
 export interface ChartFacts {
   title: string;
-  /** What is on the vertical axis, with its unit. */
+  /** What is on the vertical axis, and its unit. */
   axis: string;
+  unit: string;
   timeUnit: string;
   end: number;
   log: boolean;
@@ -35,6 +36,8 @@ export interface ChartFacts {
 }
 
 const HEIGHT = 210;
+/** A unit with more letters stands in the heading: an axis is not long enough. */
+const LONG = 10;
 /** Rows of the table, besides the one for now. */
 const ROWS = 11;
 
@@ -60,7 +63,8 @@ export class Chart {
   ) {
     this.data = make("details", {}, make("summary", {}, "Data"), make("div", { class: "rp-scroll", tabindex: 0, role: "region", "aria-label": `${facts.title}, data` }, this.table));
     this.data.addEventListener("toggle", () => this.fill());
-    this.element = make("figure", { class: "rp-chart" }, make("figcaption", {}, make("b", {}, facts.title), ...extra), this.host, this.values, this.data);
+    const unit = facts.unit.length > LONG ? [make("span", { class: "rp-unit" }, `in ${facts.unit}`)] : [];
+    this.element = make("figure", { class: "rp-chart" }, make("figcaption", {}, make("b", {}, facts.title), ...extra, ...unit), this.host, this.values, this.data);
   }
 
   /** Takes other lines. */
@@ -112,6 +116,7 @@ export class Chart {
       return;
     }
     const style = getComputedStyle(this.element);
+    const long = facts.unit.length > LONG;
     const [inkColour, rule] = [style.getPropertyValue("--rp-soft").trim(), style.getPropertyValue("--rp-rule").trim()];
     const font = `12px ${style.fontFamily}`;
     const axis = { stroke: inkColour, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 5 }, font, labelFont: font, labelSize: 18 };
@@ -132,7 +137,7 @@ export class Chart {
         { ...axis, label: `time, ${facts.timeUnit}`, size: 34 },
         {
           ...axis,
-          label: facts.axis,
+          label: long ? facts.axis : `${facts.axis}, ${facts.unit}`,
           size: 50,
           ...(facts.log ? { splits: () => decades(range), filter: (_: uPlot, splits: number[]) => splits } : {}),
           values: (_, splits) => splits.map((value) => (facts.log ? `1e${Math.round(Math.log10(value))}`.replace(/^1e0$/, "1") : short(value))),
@@ -284,7 +289,7 @@ export class Chart {
     const even = Array.from({ length: ROWS }, (_, i) => (facts.end * i) / (ROWS - 1));
     const shown = facts.growing ? even.filter((t) => t <= this.time) : even;
     const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, line.label)));
-    this.table.replaceChildren(make("caption", {}, facts.axis), make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
+    this.table.replaceChildren(make("caption", {}, `${facts.axis}, ${facts.unit}`), make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
   }
 }
 
