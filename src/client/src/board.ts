@@ -4,8 +4,8 @@ import type { Frame, Scatter } from "./frame.ts";
 
 import { outline } from "./outline.ts";
 import { ink, paint } from "./palette.ts";
-import { CUSHION, grow, type Stage, WOOD } from "./stage.ts";
-import { apartness, type Cell, cellAt, cells, type Choice, ghosts, tables, type View } from "./view.ts";
+import { CLOTH, CUSHION, grow, type Rect, sights, type Stage, WOOD } from "./stage.ts";
+import { apartness, type Cell, cellAt, cells, type Choice, closeness, ghosts, tables, type View } from "./view.ts";
 
 /** From places on the cloth, R, to places in the picture, CSS px. */
 interface Lens {
@@ -27,6 +27,8 @@ export class Board implements View {
   private height = 1;
   private ratio = 1;
   private closer = 1;
+  /** What stands in the middle, from the middle of everything, R; and how far the reader moved it, px. */
+  private middle: [number, number] = [0, 0];
   private shift: [number, number] = [0, 0];
   private drawn: { frame: Frame; choice: Choice } | null = null;
 
@@ -42,7 +44,13 @@ export class Board implements View {
   }
 
   look(): void {
-    this.closer = 1;
+    this.close(null);
+  }
+
+  close(rect: Rect | null): void {
+    const { zoom, x, y } = rect ? closeness(this.stage.sight, rect) : { zoom: 1, x: 0, y: 0 };
+    this.closer = 1 / zoom;
+    this.middle = [x, y];
     this.shift = [0, 0];
   }
 
@@ -123,8 +131,8 @@ export class Board implements View {
       lying,
       px: cell.x + cell.width / 2 + this.shift[0],
       py: cell.y + cell.height / 2 + this.shift[1],
-      cx: (sight.x0 + sight.x1) / 2,
-      cy: (sight.y0 + sight.y1) / 2,
+      cx: (sight.x0 + sight.x1) / 2 + this.middle[0],
+      cy: (sight.y0 + sight.y1) / 2 + this.middle[1],
     };
   }
 
@@ -139,9 +147,6 @@ export class Board implements View {
     if (choice.marks) {
       this.rings(run, frame.time, LIFE * rate, lens);
     }
-    for (const ball of choice.called) {
-      this.ring(lens, scatter, ball, 1.5, 0.35, "#fff3b0");
-    }
     this.ring(lens, scatter, choice.ball, 1.2, 0.1, "rgba(255,255,255,.8)");
     for (let ball = 0; ball < this.stage.radii.length; ball += 1) {
       if (scatter.present[ball]) {
@@ -149,6 +154,9 @@ export class Board implements View {
       }
     }
     others.forEach((index) => this.ghosts(lens, frame.scatters[index], scatter, index));
+    for (const ball of choice.called) {
+      this.ring(lens, scatter, ball, 1.11, 0.18, "#ffe98a");
+    }
   }
 
   private table(lens: Lens): void {
@@ -169,10 +177,14 @@ export class Board implements View {
       [rect.x0, rect.y1],
     ];
     if (stage.table) {
-      fill(box(grow(stage.table, CUSHION + WOOD)), "#5a2b17");
-      fill(outline(grow(stage.table, CUSHION), stage.pockets).points, "#0b4a38");
+      fill(rounded(grow(stage.table, CUSHION + WOOD), 2.4), "#6b3a20");
+      fill(rounded(grow(stage.table, CUSHION + WOOD - 0.3), 2.1), "#5a2f19");
+      fill(outline(grow(stage.table, CUSHION), stage.pockets).points, "#0d5f46");
+      for (const [x, y] of sights(stage.table, stage)) {
+        this.disc(lens, x, y, 0.24, "#efe6d2");
+      }
     }
-    fill(box(stage.cloth), "#12694f");
+    fill(box(stage.cloth), CLOTH);
     for (const { x, y, r } of stage.pockets) {
       this.disc(lens, x, y, r, "#0a0908");
     }
@@ -302,6 +314,22 @@ export class Board implements View {
     pen.globalAlpha = 1;
     pen.setLineDash([]);
   }
+}
+
+/** A rectangle with round corners, as a polygon. */
+function rounded(rect: Rect, r: number): [number, number][] {
+  const corners: [number, number, number][] = [
+    [rect.x1 - r, rect.y1 - r, 0],
+    [rect.x0 + r, rect.y1 - r, 1],
+    [rect.x0 + r, rect.y0 + r, 2],
+    [rect.x1 - r, rect.y0 + r, 3],
+  ];
+  return corners.flatMap(([x, y, quarter]) =>
+    Array.from({ length: 9 }, (_, i): [number, number] => {
+      const angle = ((quarter + i / 8) * Math.PI) / 2;
+      return [x + r * Math.cos(angle), y + r * Math.sin(angle)];
+    }),
+  );
 }
 
 /** Lying tables have y to the right and x down; standing ones x to the right and y up. */

@@ -1,7 +1,7 @@
 // The plots of a replay: speed, energy, distance between runs.
 import type { Actions } from "./actions.ts";
 import { Chart, type ChartFacts, type Content } from "./chart.ts";
-import { curves, type Curves, speed, times, type Times } from "./curves.ts";
+import { curves, type Curves, speed, times, type Times, valueAt } from "./curves.ts";
 import { make } from "./dom.ts";
 import { motion } from "./path.ts";
 import type { Stage } from "./stage.ts";
@@ -28,9 +28,10 @@ export class Plots {
   ) {
     const { data, runs, end } = stage;
     const unit = data.scene.time_unit;
-    const facts = (title: string, axis: string, log = false): ChartFacts => ({
+    const facts = (title: string, axis: string, measure: string, log = false): ChartFacts => ({
       title,
       axis,
+      unit: measure,
       log,
       growing,
       timeUnit: unit,
@@ -39,11 +40,11 @@ export class Plots {
       horizon: data.horizon,
       seek: (t) => actions.seek(t),
     });
-    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, `ball ${ball.id}`)));
+    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, ball.id === "cue" ? "the cue ball" : `ball ${ball.id}`)));
     this.ball.addEventListener("change", () => actions.follow(Number(this.ball.value)));
-    this.speed = new Chart(facts("Speed", `speed, ${data.scene.length_unit}/${unit}`), make("label", {}, " of ", this.ball));
-    this.energy = new Chart(facts("Kinetic energy", "energy, E0"));
-    this.divergence = data.divergence.some((pair) => pair.points.some(([, d]) => d > 0)) ? new Chart(facts("Distance between engines, worst ball", "distance, R", true)) : null;
+    this.speed = new Chart(facts("Speed", "speed", `${data.scene.length_unit}/${unit}`), make("label", {}, " of ", this.ball));
+    this.energy = new Chart(facts("Kinetic energy", "energy", "E0"));
+    this.divergence = data.divergence.some((pair) => pair.points.some(([, d]) => d > 0)) ? new Chart(facts("Distance between engines, worst ball", "distance", "R", true)) : null;
     this.when = times(data, runs, end);
     this.initial = start(stage);
     for (const chart of this.charts()) {
@@ -112,10 +113,10 @@ export class Plots {
     const pairs = data.divergence.filter((pair) => seen(pair.run) && seen(pair.against));
     const at = Float64Array.from(new Set(pairs.flatMap((pair) => pair.points.map(([t]) => t)))).sort();
     const lines = pairs.map((pair) => {
-      const own = new Map(pair.points);
+      const [own, distances] = [pair.points.map(([t]) => t), pair.points.map(([, d]) => d)];
       const label = data.runs[pair.run].label;
       const against = data.runs[pair.against];
-      return { label: against.reference ? label : `${label} to ${against.label}`, run: pair.run, values: Float64Array.from(at, (t) => own.get(t) ?? NaN) };
+      return { label: against.reference ? label : `${label} to ${against.label}`, run: pair.run, values: Float64Array.from(at, (t) => (t <= own[own.length - 1] ? valueAt(own, distances, t) : NaN)) };
     });
     return { at, lines };
   }

@@ -35,7 +35,9 @@ export interface Stage {
 
 /** Widths of the cushion and of the wood behind it, R. */
 export const CUSHION = 1.25;
-export const WOOD = 3.4;
+export const WOOD = 2.9;
+
+export const CLOTH = "#12694f";
 
 /** A table this many times larger than all that moves on it, and this large in R, is not shown whole. */
 const LOST = 4;
@@ -78,6 +80,10 @@ function reach(runs: Run[], radii: Float64Array): { moved: Rect; floor: number }
       const r = radii[ball];
       for (let i = 0; i < path.positions.length; i += 3) {
         const [x, y, z] = [path.positions[i], path.positions[i + 1], path.positions[i + 2]];
+        // an engine that lost its numbers says so; the others are shown
+        if (!Number.isFinite(x + y + z)) {
+          continue;
+        }
         moved.x0 = Math.min(moved.x0, x - r);
         moved.y0 = Math.min(moved.y0, y - r);
         moved.x1 = Math.max(moved.x1, x + r);
@@ -90,4 +96,20 @@ function reach(runs: Run[], radii: Float64Array): { moved: Rect; floor: number }
     return { moved: { x0: -10, y0: -10, x1: 10, y1: 10 }, floor: 0 };
   }
   return { moved, floor: Number.isFinite(floor) ? floor : 0 };
+}
+
+/** Places of the sights on the rails: quarters of the short side, and as far apart on the long one; none where a pocket is. */
+export function sights(edge: Rect, stage: Stage): [number, number][] {
+  const [wide, long] = [edge.x1 - edge.x0, edge.y1 - edge.y0];
+  const gap = Math.min(wide, long) / 4;
+  const out = CUSHION + 0.55 * WOOD;
+  const places: [number, number][] = [];
+  const [nx, ny] = [Math.min(64, Math.round(wide / gap)), Math.min(64, Math.round(long / gap))];
+  for (let i = 1; i < nx; i += 1) {
+    places.push([edge.x0 + (wide * i) / nx, edge.y0 - out], [edge.x0 + (wide * i) / nx, edge.y1 + out]);
+  }
+  for (let i = 1; i < ny; i += 1) {
+    places.push([edge.x0 - out, edge.y0 + (long * i) / ny], [edge.x1 + out, edge.y0 + (long * i) / ny]);
+  }
+  return places.filter(([x, y]) => stage.pockets.every((pocket) => Math.hypot(pocket.x - x, pocket.y - y) > pocket.r + 1.6));
 }

@@ -17,16 +17,18 @@ import { GhostBalls, Halos, SolidBalls } from "./balls.ts";
 import { Eye } from "./camera.ts";
 import type { Frame } from "./frame.ts";
 import { Rings, Trails } from "./marks.ts";
-import type { Stage } from "./stage.ts";
-import { room } from "./surfaces.ts";
+import type { Rect, Stage } from "./stage.ts";
 import { ground, leather, table } from "./table.ts";
 import { type Cell, cellAt, cells, type Choice, ghosts, tables, type View } from "./view.ts";
 
 /** Most device pixels a CSS pixel. */
 const SHARPEST = 2;
-/** Frames slower than this, ms, again and again, and the picture is made with fewer pixels. */
+/** Frames slower than this, ms, again and again while it plays, and the picture is made with fewer pixels and without cast shadows;
+ * what takes longer than the second number was a pause. */
 const SLOW = 45;
+const PAUSE = 2000;
 const PATIENCE = 12;
+const COARSE = 0.75;
 
 export class World implements View {
   readonly canvas: HTMLCanvasElement;
@@ -40,8 +42,7 @@ export class World implements View {
   private readonly trails = new Map<string, Trails>();
   private readonly rings = new Map<number, Rings>();
   private readonly base = new Quaternion();
-  private readonly light = new DirectionalLight("#fff1dc", 1.5);
-  private readonly sky: Texture;
+  private readonly light = new DirectionalLight("#fff1dc", 2.7);
   private width = 1;
   private height = 1;
   private slow = 0;
@@ -56,7 +57,11 @@ export class World implements View {
     lost: () => void,
   ) {
     this.canvas = document.createElement("canvas");
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    if (!context) {
+      throw new Error("this browser has no WebGL 2");
+    }
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       lost();
@@ -67,9 +72,7 @@ export class World implements View {
     renderer.toneMappingExposure = 0.95;
     renderer.shadowMap.enabled = true;
     renderer.autoClear = false;
-    this.sky = room(renderer);
-    scene.environment = this.sky;
-    scene.add(new HemisphereLight("#ffffff", "#3a4a40", 0.5));
+    scene.add(new HemisphereLight("#fff6e8", "#3a8a6a", 1.75));
     this.lamp();
     scene.add(table(stage), leather(stage));
     if (!stage.table) {
@@ -90,6 +93,10 @@ export class World implements View {
     this.eye.look(choice.camera === "free" ? "free" : "above");
   }
 
+  close(rect: Rect | null): void {
+    this.eye.close(rect);
+  }
+
   orbit(right: number, down: number): void {
     this.eye.orbit(-3 * right, -2.4 * down);
   }
@@ -105,15 +112,15 @@ export class World implements View {
   resize(width: number, height: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
-    const sharp = this.slow >= PATIENCE ? 1 : SHARPEST;
-    this.renderer.setPixelRatio(Math.min(sharp, window.devicePixelRatio || 1));
+    const ratio = window.devicePixelRatio || 1;
+    this.renderer.setPixelRatio(this.slow >= PATIENCE ? COARSE * Math.min(1, ratio) : Math.min(SHARPEST, ratio));
     this.renderer.setSize(this.width, this.height, false);
   }
 
-  draw(frame: Frame, choice: Choice, rate: number): boolean {
+  draw(frame: Frame, choice: Choice, rate: number, playing: boolean): boolean {
     const { renderer, camera, eye } = this;
     const now = performance.now();
-    this.watch(now);
+    this.watch(now, playing);
     this.drawn = { frame, choice };
     renderer.setScissorTest(false);
     renderer.clear();
@@ -172,7 +179,6 @@ export class World implements View {
         }
       }
     });
-    this.sky.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -239,7 +245,7 @@ export class World implements View {
   /** How a ball lies that has not turned: its number up, leaning to the reader. */
   private lie(lying: boolean): void {
     this.eye.lying = lying;
-    const lean = 0.42;
+    const lean = 0.3;
     if (lying) {
       this.base.setFromAxisAngle(new Vector3(0, 1, 0), lean).multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), Math.PI / 2));
     } else {
@@ -266,18 +272,16 @@ export class World implements View {
     scene.add(light, light.target);
   }
 
-  /** Saves pixels and shadows where frames come slowly one after another. */
-  private watch(now: number): void {
+  /** Saves pixels and shadows where frames come slowly one after another while it plays. */
+  private watch(now: number, playing: boolean): void {
     const passed = now - this.last;
     this.last = now;
-    if (passed > 400 || this.slow >= PATIENCE) {
+    if (!playing || passed > PAUSE || this.slow >= PATIENCE) {
       return;
     }
     this.slow = passed > SLOW ? this.slow + 1 : Math.max(0, this.slow - 1);
     if (this.slow >= PATIENCE) {
-      this.light.shadow.mapSize.set(1024, 1024);
-      this.light.shadow.map?.dispose();
-      this.light.shadow.map = null;
+      this.light.castShadow = false;
       this.resize(this.width, this.height);
     }
   }
