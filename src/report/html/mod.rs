@@ -1,28 +1,54 @@
 //! An offline site: `index.html` and one file a page, which ask nothing of any other place.
 //!
-//! No script, no font, no picture from elsewhere: the policy in every page forbids it. All words are escaped, whatever the
-//! ids of a scene are.
+//! No script, no font, no picture from elsewhere: the policy in every page forbids it, and lets run only the script that plays a
+//! replay, where there is one. All words are escaped, whatever the ids of a scene are.
 
 mod blocks;
+mod policy;
 
 use super::names::{Page, Pages};
-use super::svg::{self, escape};
+use super::svg::escape;
 use crate::finding::{Block, Cell, Document};
-
-/// Sheet of the whole site, in every page.
-const STYLE: &str = include_str!("style.css");
+use blocks::Place;
+use policy::Shell;
 
 /// What the first page is called where its title would be too long.
 const HOME: &str = "carom";
-
-/// What a page may load: nothing but its own style and the pictures within it.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
 
 /// Every page with its path: those below first, `index.html` last.
 pub fn write(document: &Document) -> Vec<(String, String)> {
     let pages = Pages::of(document);
     let file = |index: usize| (path(&pages.list[index]), page(&pages, index));
     (1..pages.list.len()).chain([0]).map(file).collect()
+}
+
+/// What a document's first page says, to be put into a page of another making: lead and blocks, no links to files of a site.
+///
+/// The page has to hold [`style`], and whatever script is to play a replay.
+pub fn fragment(document: &Document) -> String {
+    let pages = Pages::of(document);
+    let page = &pages.list[0];
+    let place = Place {
+        page,
+        pages: &pages,
+        in_site: false,
+    };
+    lead(document) + &blocks::all(&place)
+}
+
+/// The sheet of every page and of [`fragment`].
+pub fn style() -> String {
+    policy::sheet()
+}
+
+fn lead(document: &Document) -> String {
+    if document.lead.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p class=\"lead\">{}</p>\n",
+        blocks::inline(&blocks::together(&document.lead))
+    )
 }
 
 /// Path of a page in the site.
@@ -48,6 +74,11 @@ fn root(page: &Page) -> &'static str {
 
 fn page(pages: &Pages, index: usize) -> String {
     let page = &pages.list[index];
+    let place = Place {
+        page,
+        pages,
+        in_site: true,
+    };
     let document = page.document;
     let first = &pages.list[0];
     let title = if index == 0 {
@@ -60,31 +91,27 @@ fn page(pages: &Pages, index: usize) -> String {
         )
     };
     let contents = contents(page);
+    let blocks = blocks::all(&place);
+    let shell = Shell::of(blocks.contains(blocks::REPLAY));
     let mut html = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
-         <link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}{}</style>\n</head>\n<body>\n\
+         <link rel=\"icon\" href=\"data:,\">\n{}\n</head>\n<body>\n\
          <a class=\"skip\" href=\"#main\">To the contents</a>\n<div class=\"shell{}\">\n",
-        svg::STYLE,
+        shell.policy,
+        shell.style,
         if contents.is_empty() { "" } else { " has-toc" }
     );
     html += &bar(pages, index);
     html += &contents;
     html += &format!("<main id=\"main\">\n<h1>{}</h1>\n", escape(&document.title));
-    if !document.lead.is_empty() {
-        html += &format!(
-            "<p class=\"lead\">{}</p>\n",
-            blocks::inline(&blocks::together(&document.lead))
-        );
-    }
-    for (block, name) in document.blocks.iter().zip(&page.blocks) {
-        html += &blocks::block(block, name, page, pages);
-    }
+    html += &lead(document);
+    html += &blocks;
     html += &unlinked(pages, index);
     html += &turn(pages, index);
-    html + "</main>\n</div>\n</body>\n</html>\n"
+    html + "</main>\n</div>\n" + &shell.script + "</body>\n</html>\n"
 }
 
 /// Where a reader is, and what else there is.
