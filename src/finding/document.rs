@@ -143,6 +143,8 @@ pub struct Axis {
     pub unit: String,
     /// Logarithmic; points at or below zero are left out and counted in the caption by the writer.
     pub log: bool,
+    /// Words in place of numbers: the first stands at 1, the second at 2; on a vertical axis from the top down. Empty for numbers.
+    pub names: Vec<String>,
 }
 
 impl Axis {
@@ -152,7 +154,22 @@ impl Axis {
             label: label.to_owned(),
             unit: unit.to_owned(),
             log: false,
+            names: Vec::new(),
         }
+    }
+
+    /// An axis of words.
+    pub fn of_names(label: &str, names: Vec<String>) -> Self {
+        Axis {
+            names,
+            ..Axis::linear(label, "")
+        }
+    }
+
+    /// The words at a place of an axis of words.
+    pub fn name_at(&self, place: f64) -> Option<&str> {
+        let inside = place >= 1.0 && place <= self.names.len() as f64 && place.fract() == 0.0;
+        inside.then(|| self.names[place as usize - 1].as_str())
     }
 
     /// A logarithmic axis.
@@ -192,6 +209,28 @@ pub enum Style {
     Crosses,
     /// Circles of this radius in the units of the axes, as balls on a table.
     Discs(f64),
+    /// A thin line to hold others against, its name written at its end instead of in the legend.
+    Guide,
+    /// A broad pale line below all others, such as the front of what is best.
+    Band,
+    /// Fields of a matrix: a square of one unit around each point, and a sign in it.
+    Tiles(Sign),
+}
+
+/// What a field of a matrix looks like: the more ink, the more it asks for attention.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sign {
+    /// A small dot on a pale field.
+    Dot,
+    /// A triangle on a field in a middle shade.
+    Triangle,
+    /// A cross on a dark field.
+    Cross,
+    /// A ring on an empty field.
+    Ring,
+    /// A dash on an empty field.
+    Dash,
 }
 
 /// A vertical line with a few words.

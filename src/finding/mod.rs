@@ -7,7 +7,7 @@ mod document;
 mod verdict;
 
 pub use document::{
-    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Sign, Style, Table, Tone,
 };
 pub use verdict::{Hold, Tolerance, Verdict};
 

@@ -11,7 +11,7 @@ mod tables;
 mod words;
 
 pub use causes::Cause;
-pub(super) use figures::table_picture;
+pub(super) use figures::{TABLE_CAPTION, table_picture};
 pub use page::{page, summary, thumbnail};
 pub use scale::LengthUnit;
 pub use words::{
