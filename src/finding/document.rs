@@ -144,7 +144,7 @@ pub struct Axis {
     /// Logarithmic; points at or below zero are left out and counted in the caption by the writer.
     pub log: bool,
     /// Words in place of numbers: the first stands at 1, the second at 2; on a vertical axis from the top down. Empty for numbers.
-    pub names: Vec<String>,
+    pub names: Box<[String]>,
 }
 
 impl Axis {
@@ -154,14 +154,14 @@ impl Axis {
             label: label.to_owned(),
             unit: unit.to_owned(),
             log: false,
-            names: Vec::new(),
+            names: Box::default(),
         }
     }
 
     /// An axis of words.
     pub fn of_names(label: &str, names: Vec<String>) -> Self {
         Axis {
-            names,
+            names: names.into(),
             ..Axis::linear(label, "")
         }
     }
@@ -197,10 +197,8 @@ pub struct Series {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
-    /// A line.
+    /// A line, with dashes and signs of its own where there are several.
     Line,
-    /// A dashed line.
-    Dashed,
     /// Points.
     Points,
     /// Rings, to go around points that need a warning.

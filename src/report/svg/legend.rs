@@ -25,7 +25,6 @@ struct Entry {
     name: String,
     look: Look,
     lines: bool,
-    dashed: bool,
     points: bool,
     discs: bool,
     rings: bool,
@@ -65,7 +64,6 @@ impl Legend {
                 name: (*name).to_owned(),
                 look: Look::of(figure, index),
                 lines: drawn(|style| matches!(style, Style::Line)),
-                dashed: drawn(|style| matches!(style, Style::Dashed)),
                 points: drawn(|style| matches!(style, Style::Points)),
                 discs: drawn(|style| matches!(style, Style::Discs(_))),
                 rings: drawn(|style| matches!(style, Style::Rings)),
@@ -89,12 +87,8 @@ impl Legend {
         for entry in &self.entries {
             let (x, y) = (left + entry.x, top + entry.y + 0.5 * ROW);
             let mut sample = String::new();
-            if entry.lines || entry.dashed {
-                let stroke = if entry.lines {
-                    entry.look.line()
-                } else {
-                    entry.look.dashed()
-                };
+            if entry.lines {
+                let stroke = entry.look.line();
                 sample += &format!(
                     "<path class=\"l\" d=\"M{} {}h{SAMPLE}\"{stroke}/>",
                     px(x),

@@ -99,10 +99,7 @@ pub fn thumbnail(figure: &Figure) -> String {
 /// Names that have a colour, in order of appearance.
 fn names(figure: &Figure) -> Vec<&str> {
     named(figure, |style| {
-        matches!(
-            style,
-            Style::Line | Style::Dashed | Style::Points | Style::Discs(_)
-        )
+        matches!(style, Style::Line | Style::Points | Style::Discs(_))
     })
 }
 
@@ -220,10 +217,7 @@ impl Plane {
                 Style::Discs(radius) if radius.is_finite() => radius.abs(),
                 _ => 0.0,
             };
-            dots |= !matches!(
-                series.style,
-                Style::Line | Style::Dashed | Style::Guide | Style::Band
-            );
+            dots |= !matches!(series.style, Style::Line | Style::Guide | Style::Band);
             for &[px, py] in &series.points {
                 if let (Some(px), Some(py)) = (on_axis(px, log_x), on_axis(py, log_y)) {
                     for side in [-reach, reach] {

@@ -58,7 +58,7 @@ impl Look {
         let lines = figure
             .series
             .iter()
-            .filter(|series| matches!(series.style, Style::Line | Style::Dashed))
+            .filter(|series| series.style == Style::Line)
             .count();
         // the first is the widest and below the others, so that all are seen where they agree
         let below = names.saturating_sub(1 + index.unwrap_or(0)).min(4) as f64;
@@ -87,11 +87,6 @@ impl Look {
         self.stroke(DASHES[self.index.unwrap_or(0) % DASHES.len()], 1.0)
     }
 
-    /// Attributes of a line that is to be dashed.
-    pub fn dashed(&self) -> String {
-        self.stroke("1.5 4.5", 1.0)
-    }
-
     fn stroke(&self, dashes: &str, weight: f64) -> String {
         let width = format!(" stroke-width=\"{}\"", px(self.width * weight));
         if dashes.is_empty() {
@@ -101,12 +96,11 @@ impl Look {
         }
     }
 
-    fn weighed(&self, style: Style, weight: f64) -> String {
-        match (style, weight < 1.0) {
-            // dashes are lost in a small picture
-            (_, true) => self.stroke("", weight),
-            (Style::Dashed, _) => self.dashed(),
-            _ => self.line(),
+    fn weighed(&self, weight: f64) -> String {
+        // dashes are lost in a small picture
+        match weight < 1.0 {
+            true => self.stroke("", weight),
+            false => self.line(),
         }
     }
 }
@@ -240,10 +234,10 @@ pub fn drawn(figure: &Figure, plane: &Plane, pen: &Pen) -> String {
         let index = names.iter().position(|name| *name == series.name);
         let look = Look::of(figure, index);
         let content = match series.style {
-            Style::Line | Style::Dashed => {
-                let stroke = look.weighed(series.style, pen.weight);
+            Style::Line => {
+                let stroke = look.weighed(pen.weight);
                 let mut content = line(series, plane, pen, &stroke);
-                if look.marked && pen.markers && series.style == Style::Line {
+                if look.marked && pen.markers {
                     let shift = (number % 5) as f64 / 5.0;
                     content += &markers(series, plane, Marker::of(index), shift);
                 }

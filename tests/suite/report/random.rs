@@ -36,12 +36,11 @@ fn figure() -> impl Strategy<Value = Figure> {
             label,
             unit,
             log,
-            names,
+            names: names.into(),
         })
     };
     let style = prop_oneof![
         Just(Style::Line),
-        Just(Style::Dashed),
         Just(Style::Points),
         Just(Style::Rings),
         Just(Style::Crosses),
