@@ -218,7 +218,7 @@ impl Places {
                 add(&name(BEFORE), Style::Line, before);
             }
             if moves(&after) {
-                add(&name(AFTER), Style::Dashed, after);
+                add(&name(AFTER), Style::Line, after);
             }
             let radius = outcome.scene.balls[ball].radius;
             add(&name(MEETING), Style::Discs(radius), vec![at]);

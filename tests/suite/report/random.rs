@@ -1,9 +1,18 @@
 //! Documents that no study would write.
 
 use carom::finding::{
-    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Sign, Style, Table, Tone,
 };
 use proptest::prelude::*;
+
+/// Every sign of a field.
+pub const SIGNS: [Sign; 5] = [
+    Sign::Dot,
+    Sign::Triangle,
+    Sign::Cross,
+    Sign::Ring,
+    Sign::Dash,
+];
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -19,12 +28,25 @@ fn words() -> impl Strategy<Value = String> {
 
 fn figure() -> impl Strategy<Value = Figure> {
     let axis = || {
-        (words(), words(), any::<bool>()).prop_map(|(label, unit, log)| Axis { label, unit, log })
+        let names = prop_oneof![
+            3 => Just(Vec::new()),
+            1 => prop::collection::vec(words(), 1..5),
+        ];
+        (words(), words(), any::<bool>(), names).prop_map(|(label, unit, log, names)| Axis {
+            label,
+            unit,
+            log,
+            names: names.into(),
+        })
     };
     let style = prop_oneof![
         Just(Style::Line),
-        Just(Style::Dashed),
         Just(Style::Points),
+        Just(Style::Rings),
+        Just(Style::Crosses),
+        Just(Style::Guide),
+        Just(Style::Band),
+        prop::sample::select(SIGNS.to_vec()).prop_map(Style::Tiles),
         number().prop_map(Style::Discs)
     ];
     let points = prop::collection::vec([number(), number()], 0..12);
