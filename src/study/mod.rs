@@ -1,5 +1,6 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
+pub mod answer;
 pub mod check;
 pub mod claims;
 pub mod compare;
@@ -14,4 +15,5 @@ pub mod random;
 pub mod stability;
 pub mod validation;
 
+pub use answer::Answer;
 pub use matrix::{Cell, Column, Ran, Timing, Watch};
