@@ -48,7 +48,7 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
 /// The first page without its pictures, for a terminal.
 fn first_screen(document: &Document) -> Document {
     let readable = |block: &Block| match block {
-        Block::Figure(_) => None,
+        Block::Figure(_) | Block::Replay(_) => None,
         Block::Table(table) => Some(Block::Table(without_pictures(table))),
         other => Some(other.clone()),
     };

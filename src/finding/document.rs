@@ -1,5 +1,6 @@
-//! Documents: text, tables with ids and units, figures as plain points.
+//! Documents: text, tables with ids and units, figures as plain points, replays.
 
+use super::Replay;
 use serde::Serialize;
 
 /// What a study ends in: a first page and the pages that it links to.
@@ -33,6 +34,8 @@ pub enum Block {
     Table(Table),
     /// A picture with its numbers.
     Figure(Figure),
+    /// A scene as every engine ran it, to be played.
+    Replay(Box<Replay>),
 }
 
 /// A table. Every row has one cell a column.

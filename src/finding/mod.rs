@@ -4,11 +4,13 @@
 //! them. A [`Document`] is what a study ends in; every report format writes any document, and no study knows a format.
 
 mod document;
+mod replay;
 mod verdict;
 
 pub use document::{
     Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
 };
+pub use replay::{Replay, ReplayBall, ReplayDivergence, ReplayEvent, ReplayParting, ReplayRun};
 pub use verdict::{Hold, Tolerance, Verdict};
 
 use serde::Serialize;

@@ -5,7 +5,7 @@
 //! `"-inf"`, and a missing one is `null`.
 
 use super::cell::{Exact, exact_columns};
-use crate::finding::{Axis, Block, Document, Figure, Table};
+use crate::finding::{Axis, Block, Document, Figure, Replay, Table};
 use crate::trace::files::shortest;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
@@ -36,6 +36,7 @@ fn page(document: &Document, depth: usize) -> String {
                 figures.push((id, figure(content, depth + 2)));
                 reference
             }
+            Block::Replay(content) => json!({ "replay": replay(content) }).to_string(),
         });
     }
     let pages = document.pages.iter().map(|p| page(p, depth + 2)).collect();
@@ -104,6 +105,28 @@ fn figure(figure: &Figure, depth: usize) -> String {
         ("marks", array(marks.collect(), depth + 1)),
     ];
     object(fields.map(|(k, v)| (k.to_owned(), v)).into(), depth)
+}
+
+/// What a replay shows, without its knots: those are what `carom run` writes.
+fn replay(replay: &Replay) -> Value {
+    let runs = replay.runs.iter().map(|run| {
+        json!({
+            "label": run.label, "reference": run.reference, "end": number(run.end),
+            "events": run.events.len(), "knots": run.paths.iter().map(|path| path.knots.len()).sum::<usize>(),
+            "left-out": run.left_out, "tolerance": number(run.tolerance)
+        })
+    });
+    let partings = replay.partings.iter().map(|parting| {
+        let label = |i: usize| replay.runs.get(i).map(|run| run.label.as_str());
+        json!({
+            "time": number(parting.time), "runs": parting.runs.map(label),
+            "balls": parting.balls, "words": parting.words
+        })
+    });
+    json!({
+        "runs": runs.collect::<Vec<_>>(), "partings": partings.collect::<Vec<_>>(),
+        "horizon": replay.horizon.map(number)
+    })
 }
 
 fn value(exact: Exact) -> Value {

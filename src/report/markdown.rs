@@ -40,6 +40,7 @@ pub fn write_with(document: &Document, picture: impl Fn(&Page, &str) -> Option<S
                         None => format!("{words}\n"),
                     }
                 }
+                Block::Replay(replay) => format!("{}\n", escape(&replay.summary())),
             });
         }
     }

@@ -6,6 +6,7 @@ pub mod html;
 pub mod json;
 pub mod markdown;
 mod names;
+pub mod replay;
 pub mod svg;
 pub mod text;
 
@@ -80,7 +81,11 @@ pub fn site(document: &Document) -> Vec<(String, String)> {
                         svg::standalone(figure),
                     ));
                 }
-                Block::Heading(_) | Block::Text(_) | Block::List(_) | Block::Command(_) => {}
+                Block::Heading(_)
+                | Block::Text(_)
+                | Block::List(_)
+                | Block::Command(_)
+                | Block::Replay(_) => {}
             }
         }
     }

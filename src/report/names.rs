@@ -52,6 +52,7 @@ impl<'a> Pages<'a> {
             match block {
                 Block::Table(table) => *name = unique(&table.id, &mut anchors),
                 Block::Figure(figure) => *name = unique(&figure.id, &mut anchors),
+                Block::Replay(_) => *name = unique("replay", &mut anchors),
                 Block::Heading(_) | Block::Text(_) | Block::List(_) | Block::Command(_) => {}
             }
         }

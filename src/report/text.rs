@@ -54,6 +54,7 @@ fn block(block: &Block) -> String {
         Block::Command(command) => shell(command),
         Block::Table(content) => table(content),
         Block::Figure(content) => figure(content),
+        Block::Replay(replay) => paragraph("replay  ", &replay.summary()),
     }
 }
 

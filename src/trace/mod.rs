@@ -5,6 +5,7 @@ mod event;
 pub mod files;
 mod path;
 mod recorder;
+pub mod thin;
 
 pub use certainty::Certainty;
 pub use event::{Event, EventKind};

@@ -86,7 +86,7 @@ impl Path {
 }
 
 /// The state at `t` between two knots with different times.
-fn interpolate(left: &Knot, right: &Knot, t: f64) -> State {
+pub(super) fn interpolate(left: &Knot, right: &Knot, t: f64) -> State {
     let h = right.time - left.time;
     let s = (t - left.time) / h;
     let (s2, s3) = (s * s, s * s * s);

@@ -2,9 +2,10 @@
 
 use super::super::cell::{shown, significant};
 use super::super::names::{Page, Pages};
+use super::super::replay::data as replay_data;
 use super::super::svg::{self, escape};
 use super::{file, link, root};
-use crate::finding::{Align, Block, Cell, Column, Figure, Table, Tone};
+use crate::finding::{Align, Block, Cell, Column, Figure, Replay, Table, Tone};
 use crate::trace::files::shortest;
 
 /// A longer table scrolls within the page, its heading in sight.
@@ -13,8 +14,18 @@ const LONG: usize = 24;
 /// A figure with more points shows a summary of them here, and all in its CSV file.
 const MOST_POINTS: usize = 300;
 
+/// Where a block stands.
+pub struct Place<'a> {
+    /// The page.
+    pub page: &'a Page<'a>,
+    /// All pages.
+    pub pages: &'a Pages<'a>,
+    /// Whether the files of the site are beside it, to be linked to.
+    pub in_site: bool,
+}
+
 /// One block; `name`: its anchor.
-pub fn block(block: &Block, name: &str, page: &Page, pages: &Pages) -> String {
+pub fn block(block: &Block, name: &str, place: &Place) -> String {
     match block {
         Block::Heading(words) => format!("<h2 id=\"{name}\">{}</h2>\n", inline(words)),
         Block::Text(words) => format!("<p>{}</p>\n", inline(words)),
@@ -25,8 +36,16 @@ pub fn block(block: &Block, name: &str, page: &Page, pages: &Pages) -> String {
             format!("<ul>\n{}</ul>\n", items.collect::<String>())
         }
         Block::Command(command) => format!("<pre><code>{}</code></pre>\n", escape(command)),
-        Block::Table(content) => table(content, name, page, pages),
-        Block::Figure(content) => figure(content, name, page),
+        Block::Table(content) => table(content, name, place),
+        Block::Figure(content) => figure(content, name, place),
+        Block::Replay(content) => replay(content, name),
+    }
+}
+
+impl Place<'_> {
+    /// The way to a file of the site.
+    fn file(&self, kind: &str, name: &str, extension: &str) -> String {
+        root(self.page).to_owned() + &file(self.page, kind, name, extension)
     }
 }
 
@@ -61,7 +80,7 @@ pub fn together(words: &str) -> String {
     text
 }
 
-fn table(table: &Table, name: &str, page: &Page, pages: &Pages) -> String {
+fn table(table: &Table, name: &str, place: &Place) -> String {
     let title = if table.title.is_empty() {
         String::new()
     } else {
@@ -72,11 +91,16 @@ fn table(table: &Table, name: &str, page: &Page, pages: &Pages) -> String {
     } else {
         &table.title
     };
+    let get = match place.in_site {
+        true => format!(
+            "<span class=\"get\"><a href=\"{}\">CSV</a></span>",
+            place.file("tables", name, "csv")
+        ),
+        false => String::new(),
+    };
     let mut html = format!(
-        "<section class=\"block\" id=\"{name}\">\n<div class=\"head\">{title}<span class=\"get\"><a href=\"{}{}\">CSV</a></span></div>\n\
+        "<section class=\"block\" id=\"{name}\">\n<div class=\"head\">{title}{get}</div>\n\
          <div class=\"table{}\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n<table>\n<thead><tr>",
-        root(page),
-        file(page, "tables", name, "csv"),
         if table.rows.len() > LONG { " long" } else { "" },
         escape(label)
     );
@@ -102,11 +126,8 @@ fn table(table: &Table, name: &str, page: &Page, pages: &Pages) -> String {
             };
             let names_row = i == 0 && matches!(content, Cell::Text(_) | Cell::Page(..));
             html += &match names_row {
-                true => format!(
-                    "<th scope=\"row\"{class}>{}</th>",
-                    cell(content, page, pages)
-                ),
-                false => format!("<td{class}>{}</td>", cell(content, page, pages)),
+                true => format!("<th scope=\"row\"{class}>{}</th>", cell(content, place)),
+                false => format!("<td{class}>{}</td>", cell(content, place)),
             };
         }
         html += "</tr>\n";
@@ -134,7 +155,7 @@ fn heading(column: &Column) -> String {
     )
 }
 
-fn cell(cell: &Cell, page: &Page, pages: &Pages) -> String {
+fn cell(cell: &Cell, place: &Place) -> String {
     match cell {
         Cell::Empty => "<span class=\"none\" aria-label=\"no value\">–</span>".to_owned(),
         Cell::Text(words) => inline(words),
@@ -147,8 +168,8 @@ fn cell(cell: &Cell, page: &Page, pages: &Pages) -> String {
             };
             format!("<span class=\"v {class}\">{}</span>", inline(words))
         }
-        Cell::Page(id, words) => match pages.find(id) {
-            Some(to) => format!("<a href=\"{}\">{}</a>", link(page, to), escape(words)),
+        Cell::Page(id, words) => match place.pages.find(id).filter(|_| place.in_site) {
+            Some(to) => format!("<a href=\"{}\">{}</a>", link(place.page, to), escape(words)),
             None => escape(words),
         },
         Cell::Owned(x, owner) if !owner.is_empty() => {
@@ -165,7 +186,7 @@ fn cell(cell: &Cell, page: &Page, pages: &Pages) -> String {
     }
 }
 
-fn figure(figure: &Figure, name: &str, page: &Page) -> String {
+fn figure(figure: &Figure, name: &str, place: &Place) -> String {
     let drawing = svg::draw(figure, name);
     let remarks: String = drawing
         .remarks
@@ -173,13 +194,18 @@ fn figure(figure: &Figure, name: &str, page: &Page) -> String {
         .map(|remark| format!(" {}", escape(remark)))
         .collect();
     let title = figure.title.trim_end_matches('.');
-    let csv = format!("{}{}", root(page), file(page, "figures", name, "csv"));
-    let picture = format!("{}{}", root(page), file(page, "figures", name, "svg"));
+    let get = match place.in_site {
+        true => format!(
+            "<p class=\"note\"><a href=\"{}\">every point as CSV</a> · <a href=\"{}\">picture as SVG</a></p>\n",
+            place.file("figures", name, "csv"),
+            place.file("figures", name, "svg")
+        ),
+        false => String::new(),
+    };
     format!(
         "<figure id=\"{name}\">\n<div class=\"picture\" tabindex=\"0\">{}</div>\n\
          <figcaption><b>{}.</b> {}{remarks}</figcaption>\n\
-         <details><summary>Data</summary>\n{}<p class=\"note\"><a href=\"{csv}\">every point as CSV</a> · \
-         <a href=\"{picture}\">picture as SVG</a></p>\n</details>\n</figure>\n",
+         <details><summary>Data</summary>\n{}{get}</details>\n</figure>\n",
         drawing.svg,
         inline(title),
         inline(&figure.caption),
@@ -263,4 +289,18 @@ fn line(series: &str, numbers: &[String]) -> String {
         "<tr><th scope=\"row\">{}</th>{numbers}</tr>\n",
         escape(series)
     )
+}
+
+/// The place where the script mounts a replay, and its data. Hidden until then; without scripts the pictures stand.
+fn replay(replay: &Replay, name: &str) -> String {
+    format!(
+        "<div class=\"replay\" id=\"{name}\" hidden>\n<script type=\"application/json\" class=\"replay-data\">{}</script>\n</div>\n\
+         <noscript><p class=\"note\">With scripts this page plays the shot in every engine. The pictures show the same.</p></noscript>\n",
+        inert(&replay_data(replay))
+    )
+}
+
+/// JSON that no browser takes for the end of its element, nor for a comment.
+fn inert(json: &str) -> String {
+    json.replace('<', "\\u003c")
 }

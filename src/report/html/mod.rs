@@ -8,6 +8,7 @@ mod blocks;
 use super::names::{Page, Pages};
 use super::svg::{self, escape};
 use crate::finding::{Block, Cell, Document};
+use blocks::Place;
 
 /// Sheet of the whole site, in every page.
 const STYLE: &str = include_str!("style.css");
@@ -23,6 +24,39 @@ pub fn write(document: &Document) -> Vec<(String, String)> {
     let pages = Pages::of(document);
     let file = |index: usize| (path(&pages.list[index]), page(&pages, index));
     (1..pages.list.len()).chain([0]).map(file).collect()
+}
+
+/// What a document's first page says, to be put into a page of another making: lead and blocks, no links to files of a site.
+///
+/// The page has to hold [`style`], and whatever script is to play a replay.
+pub fn fragment(document: &Document) -> String {
+    let pages = Pages::of(document);
+    let page = &pages.list[0];
+    let place = Place {
+        page,
+        pages: &pages,
+        in_site: false,
+    };
+    let blocks = document.blocks.iter().zip(&page.blocks);
+    let blocks: String = blocks
+        .map(|(block, name)| blocks::block(block, name, &place))
+        .collect();
+    lead(document) + &blocks
+}
+
+/// The sheet of every page and of [`fragment`].
+pub fn style() -> String {
+    format!("{STYLE}{}", svg::STYLE)
+}
+
+fn lead(document: &Document) -> String {
+    if document.lead.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p class=\"lead\">{}</p>\n",
+        blocks::inline(&blocks::together(&document.lead))
+    )
 }
 
 /// Path of a page in the site.
@@ -48,6 +82,11 @@ fn root(page: &Page) -> &'static str {
 
 fn page(pages: &Pages, index: usize) -> String {
     let page = &pages.list[index];
+    let place = Place {
+        page,
+        pages,
+        in_site: true,
+    };
     let document = page.document;
     let first = &pages.list[0];
     let title = if index == 0 {
@@ -65,22 +104,17 @@ fn page(pages: &Pages, index: usize) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
-         <link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}{}</style>\n</head>\n<body>\n\
+         <link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n\
          <a class=\"skip\" href=\"#main\">To the contents</a>\n<div class=\"shell{}\">\n",
-        svg::STYLE,
+        style(),
         if contents.is_empty() { "" } else { " has-toc" }
     );
     html += &bar(pages, index);
     html += &contents;
     html += &format!("<main id=\"main\">\n<h1>{}</h1>\n", escape(&document.title));
-    if !document.lead.is_empty() {
-        html += &format!(
-            "<p class=\"lead\">{}</p>\n",
-            blocks::inline(&blocks::together(&document.lead))
-        );
-    }
+    html += &lead(document);
     for (block, name) in document.blocks.iter().zip(&page.blocks) {
-        html += &blocks::block(block, name, page, pages);
+        html += &blocks::block(block, name, &place);
     }
     html += &unlinked(pages, index);
     html += &turn(pages, index);

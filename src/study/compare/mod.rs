@@ -6,6 +6,7 @@
 mod causes;
 mod figures;
 mod page;
+mod replay;
 mod scale;
 mod tables;
 mod words;
@@ -13,6 +14,7 @@ mod words;
 pub use causes::Cause;
 pub(super) use figures::table_picture;
 pub use page::{page, summary, thumbnail};
+pub use replay::replay;
 pub use scale::LengthUnit;
 pub use words::{
     describe_ending, describe_event, describe_growth, describe_kind, describe_order,

@@ -6,7 +6,7 @@ use super::tables::{
     sanity_table, settings, sheet,
 };
 use super::words::{describe_ending, describe_horizon, describe_scene};
-use super::{Outcome, PairOutcome, Standing, figures};
+use super::{Outcome, PairOutcome, Standing, figures, replay};
 use crate::finding::{Block, Cell, Document};
 
 /// What the terminal shows of one scene.
@@ -47,6 +47,10 @@ pub fn page(outcome: &Outcome) -> Document {
             .filter_map(|entry| figures::paths(outcome, entry))
             .map(Block::Figure),
     );
+    blocks.push(match replay(outcome) {
+        Ok(replay) => Block::Replay(Box::new(replay)),
+        Err(why) => Block::Text(format!("There is no replay: {why}.")),
+    });
     blocks.push(Block::Figure(figures::cue_speed(outcome)));
     blocks.push(Block::Figure(figures::rms_speed(outcome)));
     blocks.extend(figures::divergence(outcome).map(Block::Figure));

@@ -356,6 +356,21 @@ fn words_never_become_markup() {
                 figure.series[0].name = EVIL.into();
                 figure.marks[0].label = EVIL.into();
             }
+            Block::Replay(replay) => {
+                let run = &mut replay.runs[0];
+                for text in [
+                    &mut replay.scene,
+                    &mut replay.title,
+                    &mut replay.length_unit,
+                    &mut replay.balls[0].id,
+                    &mut run.label,
+                    &mut run.ending,
+                    &mut run.events[0].a,
+                    &mut replay.partings[0].words,
+                ] {
+                    *text = EVIL.into();
+                }
+            }
         }
     }
     document.pages[0].id = EVIL.into();

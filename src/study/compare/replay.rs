@@ -1,0 +1,286 @@
+//! The replay of a comparison: the knots of every run that did not refuse, and where they part.
+
+use super::words::{describe_ending, describe_event};
+use super::{Entry, Outcome, Standing};
+use crate::finding::{Replay, ReplayBall, ReplayDivergence, ReplayEvent, ReplayParting, ReplayRun};
+use crate::scene::Scene;
+use crate::trace::thin::{self, Tolerance};
+use crate::trace::{EventKind, Path, Trace};
+
+/// What a knot may be off before it is kept, in R and the largest initial speed. A pixel of the report's table, drawn 2000 px long, is
+/// 0.052 R.
+pub const TOLERANCE: f64 = 1e-3;
+
+/// Where there are too many knots, the tolerance doubles up to this, in R: still below that pixel.
+pub const COARSEST: f64 = 0.032;
+
+/// Numbers in all knots of a replay at most. A number takes up to 16/3 bytes of a page.
+const MOST_NUMBERS: usize = 130_000;
+
+/// Events of all runs at most.
+const MOST_EVENTS: usize = 12_000;
+
+/// Balls at most: more cannot be told apart in a picture.
+const MOST_BALLS: usize = 2_000;
+
+/// What a distance may be off before its point is kept, decades.
+const DECADES: f64 = 0.02;
+
+/// Distances below this, in R, are as good as none in a picture.
+const NOTHING: f64 = 1e-16;
+
+/// The replay of a comparison. Errors: why there is none, in one sentence.
+pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
+    let scene = &outcome.scene;
+    let ran: Vec<usize> = (0..outcome.entries.len())
+        .filter(|&i| outcome.entries[i].trace().is_some())
+        .collect();
+    if ran.is_empty() {
+        return Err("no engine ran the scene".to_owned());
+    }
+    if scene.balls.len() > MOST_BALLS {
+        return Err(format!(
+            "{} balls are too many to be shown",
+            scene.balls.len()
+        ));
+    }
+    let traces = || ran.iter().filter_map(|&i| outcome.entries[i].trace());
+    let events: usize = traces().map(|trace| trace.events.len()).sum();
+    if events > MOST_EVENTS {
+        return Err(format!(
+            "{events} events of all engines are too many for a page"
+        ));
+    }
+    let units = Units::of(scene);
+    let (tolerance, paths) = thinned(&units, scene, traces().collect())?;
+    let runs = ran.iter().zip(paths).filter_map(|(&i, paths)| {
+        let entry = &outcome.entries[i];
+        run(entry, outcome.reference == Some(i), paths, tolerance)
+    });
+    let place = |i: usize| ran.iter().position(|&known| known == i);
+    Ok(Replay {
+        scene: scene.name.clone(),
+        title: scene.description.clone(),
+        duration: scene.duration,
+        length_unit: scene.units.length.clone(),
+        time_unit: scene.units.time.clone(),
+        origin: units.origin,
+        radius: units.radius,
+        speed_scale: units.speed,
+        table: scene.table.map(|table| [table.min, table.max]),
+        pockets: scene
+            .effects
+            .pockets
+            .iter()
+            .flat_map(|pockets| pockets.circles.clone())
+            .collect(),
+        rotates: scene.effects.rotates(),
+        balls: balls(scene),
+        runs: runs.collect(),
+        partings: partings(outcome, place),
+        horizon: outcome
+            .horizon
+            .as_ref()
+            .filter(|horizon| !horizon.is_whole())
+            .map(|horizon| horizon.until),
+        divergence: divergence(outcome, place),
+    })
+}
+
+/// In what the numbers of a replay are counted.
+struct Units {
+    origin: [f64; 3],
+    radius: f64,
+    speed: f64,
+}
+
+impl Units {
+    fn of(scene: &Scene) -> Self {
+        let around = |axis: usize| match scene.table {
+            Some(table) => [table.min[axis], table.max[axis]],
+            None => {
+                let at = scene.balls.iter().map(|ball| ball.state.position[axis]);
+                at.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                    [low.min(x), high.max(x)]
+                })
+            }
+        };
+        let middle = |axis: usize| {
+            let [low, high] = around(axis);
+            low + (high - low) / 2.0
+        };
+        let speed = scene.largest_speed();
+        Units {
+            origin: [middle(0), middle(1), 0.0],
+            radius: scene.smallest_radius(),
+            speed: if speed > 0.0 { speed } else { 1.0 },
+        }
+    }
+}
+
+fn balls(scene: &Scene) -> Vec<ReplayBall> {
+    let ball = |(i, ball): (usize, &crate::scene::Ball)| ReplayBall {
+        id: ball.id.clone(),
+        radius: ball.radius,
+        mass: ball.mass,
+        inertia: scene.inertia(i).unwrap_or(0.0),
+    };
+    scene.balls.iter().enumerate().map(ball).collect()
+}
+
+/// The paths of every run with few enough knots, and the tolerance that this took, R.
+fn thinned(
+    units: &Units,
+    scene: &Scene,
+    traces: Vec<&Trace>,
+) -> Result<(f64, Vec<Vec<Path>>), String> {
+    let columns = if scene.effects.rotates() { 10 } else { 7 };
+    let mut tolerance = TOLERANCE;
+    loop {
+        let bounds = Tolerance {
+            position: tolerance * units.radius,
+            velocity: tolerance * units.speed,
+            spin: tolerance * units.speed / units.radius,
+        };
+        let thin = |trace: &&Trace| -> Vec<Path> {
+            trace
+                .paths
+                .iter()
+                .map(|path| thin::thin(path, bounds))
+                .collect()
+        };
+        let runs: Vec<Vec<Path>> = traces.iter().map(thin).collect();
+        let knots: usize = runs.iter().flatten().map(|path| path.knots.len()).sum();
+        if knots * columns <= MOST_NUMBERS {
+            return Ok((tolerance, runs));
+        }
+        tolerance *= 2.0;
+        if tolerance > COARSEST {
+            return Err(format!(
+                "{knots} knots of all engines, as few as a picture allows, are too many for a page"
+            ));
+        }
+    }
+}
+
+fn run(entry: &Entry, reference: bool, paths: Vec<Path>, tolerance: f64) -> Option<ReplayRun> {
+    let trace = entry.trace()?;
+    let count = |paths: &[Path]| paths.iter().map(|path| path.knots.len()).sum::<usize>();
+    let event = |event: &crate::trace::Event| {
+        let (a, b) = event.kind.parties(|ball| &trace.balls[ball]);
+        ReplayEvent {
+            time: event.time,
+            kind: event.kind.id(),
+            a,
+            b,
+        }
+    };
+    Some(ReplayRun {
+        label: entry.label(),
+        engine: entry.column.engine.id().to_owned(),
+        reference,
+        end: trace.end_time,
+        ending: describe_ending(trace),
+        resolution: trace.provenance.resolution,
+        events: trace.events.iter().map(event).collect(),
+        left_out: count(&trace.paths) - count(&paths),
+        paths,
+        tolerance,
+    })
+}
+
+/// Every two runs that are held against each other: all against the reference, or all pairs without one.
+fn held<'a>(outcome: &'a Outcome) -> Vec<(usize, usize, &'a Standing)> {
+    match outcome.reference {
+        Some(reference) => {
+            let entries = outcome.entries.iter().enumerate();
+            entries
+                .filter_map(|(i, entry)| Some((i, reference, entry.standing.as_ref()?)))
+                .collect()
+        }
+        None => {
+            let pairs = outcome.pairs.iter();
+            pairs
+                .map(|pair| (pair.entries.0, pair.entries.1, &pair.standing))
+                .collect()
+        }
+    }
+}
+
+fn partings(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayParting> {
+    let parting = |&(i, j, standing): &(usize, usize, &Standing)| {
+        let parting = standing.order.parting.as_ref()?;
+        let (ours, theirs) = (&outcome.entries[i], &outcome.entries[j]);
+        let (trace, other) = (ours.trace()?, theirs.trace()?);
+        let mut balls: Vec<String> = Vec::new();
+        for event in [parting.event, parting.reference].into_iter().flatten() {
+            for ball in involved(event.kind) {
+                let id = &trace.balls[ball];
+                if !balls.contains(id) {
+                    balls.push(id.clone());
+                }
+            }
+        }
+        let why = standing
+            .cause
+            .as_ref()
+            .map(|cause| format!(": {}", cause.sentence()));
+        Some(ReplayParting {
+            time: parting.time(),
+            runs: [place(i)?, place(j)?],
+            balls,
+            words: format!(
+                "At event {} {} has {}, {} has {}{}.",
+                parting.index + 1,
+                ours.label(),
+                describe_event(parting.event.as_ref(), trace),
+                theirs.label(),
+                describe_event(parting.reference.as_ref(), other),
+                why.unwrap_or_default()
+            ),
+        })
+    };
+    let mut partings: Vec<ReplayParting> = held(outcome).iter().filter_map(parting).collect();
+    partings.sort_by(|a, b| a.time.total_cmp(&b.time));
+    partings
+}
+
+fn involved(kind: EventKind) -> impl Iterator<Item = usize> {
+    let (a, b) = kind.balls();
+    [Some(a), b].into_iter().flatten()
+}
+
+/// Distances over time: of all from the reference, or without one of all from the engine that stands in its place in the first pair.
+fn divergence(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayDivergence> {
+    let held = held(outcome);
+    let Some(&(_, yardstick, _)) = held.first() else {
+        return Vec::new();
+    };
+    let curve = |&(i, j, standing): &(usize, usize, &Standing)| {
+        let (run, against) = match (i == yardstick, j == yardstick) {
+            (_, true) => (i, j),
+            (true, _) => (j, i),
+            _ => return None,
+        };
+        Some(ReplayDivergence {
+            run: place(run)?,
+            against: place(against)?,
+            points: fewer(&standing.divergence),
+        })
+    };
+    held.iter().filter_map(curve).collect()
+}
+
+/// The points of a curve that those around them do not give, on a logarithmic scale.
+fn fewer(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let level = |i: usize| points[i][1].max(NOTHING).log10();
+    let fits = |a: usize, b: usize| {
+        let span = points[b][0] - points[a][0];
+        (a + 1..b).all(|i| {
+            let share = (points[i][0] - points[a][0]) / span;
+            (level(a) + share * (level(b) - level(a)) - level(i)).abs() <= DECADES
+        })
+    };
+    let kept = thin::stretch(points.len(), fits);
+    kept.into_iter().map(|i| points[i]).collect()
+}
