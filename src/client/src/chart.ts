@@ -1,0 +1,280 @@
+// One plot over time: its lines, a cursor that is the time of the replay, marks, and a table of what it shows.
+import uPlot from "uplot";
+import { valueAt } from "./curves.ts";
+import { make, say } from "./dom.ts";
+import { short, timeText } from "./numbers.ts";
+import { ink, inkNow } from "./palette.ts";
+
+/** One line. */
+export interface Line {
+  label: string;
+  /** Index of the run whose ink it has. */
+  run: number;
+  values: ArrayLike<number>;
+}
+
+export interface Content {
+  at: Float64Array;
+  lines: Line[];
+}
+
+export interface ChartFacts {
+  title: string;
+  /** What is on the vertical axis, with its unit. */
+  axis: string;
+  timeUnit: string;
+  end: number;
+  log: boolean;
+  /** Only what was played is shown. */
+  growing: boolean;
+  /** Times of first partings, and the horizon. */
+  partings: number[];
+  horizon: number | null;
+  seek(t: number): void;
+}
+
+const HEIGHT = 210;
+/** Rows of the table, besides the one for now. */
+const ROWS = 11;
+
+export class Chart {
+  readonly element: HTMLElement;
+  private readonly host = make("div", { class: "rp-plot" });
+  private readonly values = make("p", { class: "rp-values" });
+  private readonly table = make("table", {});
+  private readonly data: HTMLDetailsElement;
+  private readonly nowLine = make("div", { class: "rp-now-line" });
+  private readonly future = make("div", { class: "rp-future" });
+  private plot: uPlot | null = null;
+  private content: Content = { at: new Float64Array(0), lines: [] };
+  private time = 0;
+  private told = -Infinity;
+  private width = 0;
+
+  constructor(
+    private readonly facts: ChartFacts,
+    ...extra: Node[]
+  ) {
+    this.data = make("details", {}, make("summary", {}, "Data"), make("div", { class: "rp-scroll", tabindex: 0, role: "region", "aria-label": `${facts.title}, data` }, this.table));
+    this.data.addEventListener("toggle", () => this.fill());
+    this.element = make("figure", { class: "rp-chart" }, make("figcaption", {}, make("b", {}, facts.title), ...extra), this.host, this.values, this.data);
+  }
+
+  /** Takes other lines. */
+  show(content: Content): void {
+    this.content = content;
+    this.build();
+  }
+
+  resize(width: number): void {
+    if (Math.abs(width - this.width) >= 1) {
+      this.width = width;
+      if (this.plot) {
+        this.plot.setSize({ width, height: HEIGHT });
+        this.go(this.time, false);
+      } else {
+        this.build();
+      }
+    }
+  }
+
+  /** Moves the line of the time. */
+  go(t: number, playing: boolean): void {
+    this.time = t;
+    const { plot } = this;
+    if (!plot) {
+      return;
+    }
+    const x = plot.valToPos(t, "x");
+    this.nowLine.style.transform = `translateX(${x.toFixed(2)}px)`;
+    if (this.facts.growing) {
+      this.future.style.transform = `translateX(${x.toFixed(2)}px)`;
+    }
+    const now = performance.now();
+    if (!playing || now - this.told > 200) {
+      this.told = now;
+      this.tell();
+    }
+  }
+
+  /** Draws anew, as after a change of colours. */
+  build(): void {
+    this.plot?.destroy();
+    this.plot = null;
+    const { content, facts, host, width } = this;
+    if (width < 40 || content.at.length === 0) {
+      return;
+    }
+    const style = getComputedStyle(this.element);
+    const [inkColour, rule] = [style.getPropertyValue("--rp-soft").trim(), style.getPropertyValue("--rp-rule").trim()];
+    const font = `12px ${style.fontFamily}`;
+    const axis = { stroke: inkColour, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 5 }, font, labelFont: font, labelSize: 18 };
+    const positive = content.lines.flatMap((line) => Array.from(line.values).filter((value) => value > 0));
+    const low = positive.reduce((least, value) => Math.min(least, value), Infinity);
+    const high = positive.reduce((most, value) => Math.max(most, value), 0);
+    const decade = (x: number, up: boolean): number => 10 ** (up ? Math.ceil(Math.log10(x) + 0.05) : Math.floor(Math.log10(x)));
+    const range: [number, number] = facts.log ? [decade(Math.max(low, 1e-17), false), decade(Math.max(high, 1e-16), true)] : [0, high * 1.06 || 1];
+    const options: uPlot.Options = {
+      width,
+      height: HEIGHT,
+      padding: [8, 14, 0, 0],
+      legend: { show: false },
+      cursor: { y: false, drag: { x: false, y: false }, points: { size: 5 } },
+      select: { show: false, left: 0, top: 0, width: 0, height: 0 },
+      scales: { x: { time: false, range: [0, facts.end || 1] }, y: facts.log ? { distr: 3, log: 10, range } : { range } },
+      axes: [
+        { ...axis, label: `time, ${facts.timeUnit}`, size: 34 },
+        {
+          ...axis,
+          label: facts.axis,
+          size: 50,
+          values: (_, splits) => splits.map((value) => (!facts.log ? short(value) : isDecade(value, range) ? `1e${Math.round(Math.log10(value))}`.replace(/^1e0$/, "1") : "")),
+        },
+      ],
+      series: [
+        {},
+        ...content.lines.map((line) => ({
+          label: line.label,
+          stroke: inkNow(line.run),
+          width: 1.8,
+          dash: ink(line.run).dash,
+          points: { show: false },
+          spanGaps: facts.log,
+        })),
+      ],
+      hooks: { draw: [(plot) => this.marks(plot), (plot) => this.labels(plot)] },
+    };
+    const columns = content.lines.map((line) => Array.from(line.values, (value) => (Number.isFinite(value) && (!facts.log || value > 0) ? value : null)));
+    this.plot = new uPlot(options, [Array.from(content.at), ...columns] as uPlot.AlignedData, host);
+    this.plot.over.append(this.nowLine);
+    if (facts.growing) {
+      this.plot.over.append(this.future);
+    }
+    this.hold(this.plot);
+    this.go(this.time, false);
+    this.fill();
+  }
+
+  destroy(): void {
+    this.plot?.destroy();
+    this.plot = null;
+  }
+
+  /** A press on the plot, and what is dragged from there, is a time. */
+  private hold(plot: uPlot): void {
+    const { over } = plot;
+    const seek = (event: PointerEvent): void => {
+      const box = over.getBoundingClientRect();
+      this.facts.seek(plot.posToVal(event.clientX - box.left, "x"));
+    };
+    over.addEventListener("pointerdown", (event) => {
+      over.setPointerCapture(event.pointerId);
+      seek(event);
+    });
+    over.addEventListener("pointermove", (event) => {
+      if ((event.buttons & 1) !== 0) {
+        seek(event);
+      }
+    });
+  }
+
+  /** Upright lines at partings and at the horizon. */
+  private marks(plot: uPlot): void {
+    const { ctx: pen, bbox } = plot;
+    const style = getComputedStyle(this.element);
+    const upright = (t: number, colour: string, dash: number[], word: string): void => {
+      const x = plot.valToPos(t, "x", true);
+      pen.save();
+      pen.strokeStyle = colour;
+      pen.fillStyle = colour;
+      pen.lineWidth = devicePixelRatio;
+      pen.setLineDash(dash.map((part) => part * devicePixelRatio));
+      pen.beginPath();
+      pen.moveTo(x, bbox.top);
+      pen.lineTo(x, bbox.top + bbox.height);
+      pen.stroke();
+      pen.font = `${10.5 * devicePixelRatio}px ${style.fontFamily}`;
+      const wide = pen.measureText(word).width;
+      const right = x + wide + 8 * devicePixelRatio < bbox.left + bbox.width;
+      pen.textAlign = right ? "left" : "right";
+      pen.fillText(word, x + (right ? 4 : -4) * devicePixelRatio, bbox.top + 10 * devicePixelRatio);
+      pen.restore();
+    };
+    if (this.facts.partings.length > 0) {
+      upright(this.facts.partings[0], style.getPropertyValue("--rp-bad").trim(), [], "first divergence");
+    }
+    for (const t of this.facts.partings.slice(1)) {
+      upright(t, style.getPropertyValue("--rp-bad").trim(), [2, 3], "");
+    }
+    if (this.facts.horizon !== null) {
+      upright(this.facts.horizon, style.getPropertyValue("--rp-soft").trim(), [6, 3], "horizon");
+    }
+  }
+
+  /** The name of each line where it is alone enough to carry it. */
+  private labels(plot: uPlot): void {
+    const { ctx: pen, bbox } = plot;
+    const style = getComputedStyle(this.element);
+    pen.save();
+    pen.font = `600 ${11 * devicePixelRatio}px ${style.fontFamily}`;
+    pen.textAlign = "center";
+    const placed: { x: number; y: number; w: number }[] = [];
+    this.content.lines.forEach((line, own) => {
+      let best = { x: 0, y: 0, room: 0 };
+      for (let i = 2; i < 34; i += 1) {
+        const x = bbox.left + (bbox.width * i) / 36;
+        const t = plot.posToVal((x - bbox.left) / devicePixelRatio, "x");
+        const ys = this.content.lines.map((other) => plot.valToPos(valueAt(this.content.at, other.values, t), "y", true));
+        const y = ys[own];
+        if (!Number.isFinite(y)) {
+          continue;
+        }
+        const others = ys.filter((other, index) => index !== own && Number.isFinite(other)).map((other) => Math.abs(other - y + 7 * devicePixelRatio));
+        const taken = placed.map((label) => Math.hypot((label.x - x) / 3, label.y - y));
+        const room = Math.min(60 * devicePixelRatio, y - bbox.top, ...others, ...taken);
+        if (room > best.room) {
+          best = { x, y, room };
+        }
+      }
+      if (best.room > 13 * devicePixelRatio) {
+        pen.fillStyle = inkNow(line.run);
+        const w = pen.measureText(line.label).width;
+        const x = Math.min(bbox.left + bbox.width - w / 2, Math.max(bbox.left + w / 2, best.x));
+        pen.fillText(line.label, x, best.y - 6 * devicePixelRatio);
+        placed.push({ x, y: best.y, w });
+      }
+    });
+    pen.restore();
+  }
+
+  /** Values at the time shown, in words. */
+  private tell(): void {
+    const { content, facts } = this;
+    const parts = content.lines.map((line) => `${line.label} ${short(valueAt(content.at, line.values, this.time))}`);
+    say(this.values, parts.length > 0 ? `${timeText(this.time, facts.end)} ${facts.timeUnit}: ${parts.join(" · ")}` : "");
+    if (this.data.open) {
+      this.fill();
+    }
+  }
+
+  /** The table: even steps, and now. */
+  private fill(): void {
+    if (!this.data.open) {
+      return;
+    }
+    const { content, facts } = this;
+    const row = (t: number, name: string): HTMLTableRowElement =>
+      make("tr", {}, make("th", { scope: "row", class: "r" }, name), ...content.lines.map((line) => make("td", { class: "r" }, short(valueAt(content.at, line.values, t)))));
+    const even = Array.from({ length: ROWS }, (_, i) => (facts.end * i) / (ROWS - 1));
+    const shown = facts.growing ? even.filter((t) => t <= this.time) : even;
+    const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, `${line.label}, ${facts.axis}`)));
+    this.table.replaceChildren(make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
+  }
+}
+
+/** Whether an axis with this range has room to name a power of ten. */
+function isDecade(value: number, [low, high]: [number, number]): boolean {
+  const power = Math.log10(value);
+  const every = Math.max(1, Math.ceil((Math.log10(high) - Math.log10(low)) / 6));
+  return Math.abs(power - Math.round(power)) < 1e-6 && Math.round(power) % every === 0;
+}

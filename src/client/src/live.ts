@@ -1,0 +1,4 @@
+// Entry of the live page.
+import "./live.css";
+import "./replay.css";
+export { mount } from "./component.ts";
