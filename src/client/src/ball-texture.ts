@@ -5,8 +5,8 @@ const WIDTH = 512;
 const HEIGHT = 256;
 const WHITE = "#f4efe2";
 /** Half height of a stripe, and radius of a number's disc, both as parts of the height. */
-const BAND = 0.185;
-const DISC = 0.125;
+const BAND = 0.2;
+const DISC = 0.155;
 
 /** The skin of one ball. */
 export function skin(paint: Paint): HTMLCanvasElement {
@@ -39,7 +39,7 @@ function number(pen: CanvasRenderingContext2D, x: number, y: number, label: stri
   pen.beginPath();
   pen.arc(x, y, DISC * HEIGHT, 0, 2 * Math.PI);
   pen.fill();
-  const size = label.length > 2 ? 24 : label.length > 1 ? 35 : 42;
+  const size = label.length > 2 ? 30 : label.length > 1 ? 46 : 56;
   pen.fillStyle = "#16181a";
   pen.font = `700 ${size}px "Helvetica Neue", Arial, "Liberation Sans", sans-serif`;
   pen.textAlign = "center";

@@ -9,7 +9,8 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
+  type MeshLambertMaterialParameters,
   PlaneGeometry,
   Quaternion,
   RingGeometry,
@@ -21,6 +22,7 @@ import {
 import { skin } from "./ball-texture.ts";
 import type { Scatter } from "./frame.ts";
 import { ink, paint } from "./palette.ts";
+import { polish } from "./polish.ts";
 import type { Stage } from "./stage.ts";
 import { shade } from "./surfaces.ts";
 import { apartness } from "./view.ts";
@@ -44,9 +46,8 @@ export class SolidBalls {
     const { balls } = stage.data;
     const many = balls.length > MANY;
     const sphere = many ? new SphereGeometry(1, 20, 14) : new SphereGeometry(1, 48, 32);
-    const polish = { roughness: 0.13, metalness: 0, envMapIntensity: 0.85 };
     if (many) {
-      this.instances = new InstancedMesh(sphere, new MeshStandardMaterial(polish), balls.length);
+      this.instances = new InstancedMesh(sphere, varnished(stage, {}), balls.length);
       balls.forEach((ball, i) => this.instances?.setColorAt(i, new Color(paint(ball.id, i).colour)));
       this.instances.castShadow = true;
       this.instances.frustumCulled = false;
@@ -56,7 +57,7 @@ export class SolidBalls {
         const map = new CanvasTexture(skin(paint(ball.id, i)));
         map.colorSpace = SRGBColorSpace;
         map.anisotropy = 8;
-        const mesh = new Mesh(sphere, new MeshStandardMaterial({ ...polish, map }));
+        const mesh = new Mesh(sphere, varnished(stage, { map }));
         mesh.castShadow = true;
         mesh.receiveShadow = true;
         this.meshes.push(mesh);
@@ -99,6 +100,12 @@ export class SolidBalls {
       instances.instanceMatrix.needsUpdate = true;
     }
   }
+}
+
+function varnished(stage: Stage, parameters: MeshLambertMaterialParameters): MeshLambertMaterial {
+  const material = new MeshLambertMaterial(parameters);
+  polish(material, stage, 1, 0.012);
+  return material;
 }
 
 const GHOST_VERTEX = `
@@ -179,10 +186,12 @@ export class Halos {
   private readonly chosen: Mesh;
 
   constructor(private readonly stage: Stage) {
-    const strong = new MeshBasicMaterial({ color: "#fff3b0" });
-    const bands = new RingGeometry(1.32, 1.62, 64);
+    // on top of everything: a ball in a pack must be seen to be meant
+    const strong = new MeshBasicMaterial({ color: "#ffe98a", transparent: true, opacity: 0.95, depthTest: false, depthWrite: false });
+    const bands = new RingGeometry(1.02, 1.2, 64);
     this.called = Array.from({ length: 8 }, () => new Mesh(bands, strong));
     this.chosen = new Mesh(new RingGeometry(1.12, 1.2, 64), new MeshBasicMaterial({ color: "#ffffff", transparent: true, opacity: 0.7, depthWrite: false }));
+    this.called.forEach((mesh) => (mesh.renderOrder = 5));
     this.group.add(...this.called, this.chosen);
   }
 

@@ -4,8 +4,8 @@ import type { Frame, Scatter } from "./frame.ts";
 
 import { outline } from "./outline.ts";
 import { ink, paint } from "./palette.ts";
-import { CUSHION, grow, type Stage, WOOD } from "./stage.ts";
-import { apartness, type Cell, cellAt, cells, type Choice, ghosts, tables, type View } from "./view.ts";
+import { CUSHION, grow, type Rect, type Stage, WOOD } from "./stage.ts";
+import { apartness, type Cell, cellAt, cells, type Choice, closeness, ghosts, tables, type View } from "./view.ts";
 
 /** From places on the cloth, R, to places in the picture, CSS px. */
 interface Lens {
@@ -27,6 +27,8 @@ export class Board implements View {
   private height = 1;
   private ratio = 1;
   private closer = 1;
+  /** What stands in the middle, from the middle of everything, R; and how far the reader moved it, px. */
+  private middle: [number, number] = [0, 0];
   private shift: [number, number] = [0, 0];
   private drawn: { frame: Frame; choice: Choice } | null = null;
 
@@ -42,7 +44,13 @@ export class Board implements View {
   }
 
   look(): void {
-    this.closer = 1;
+    this.close(null);
+  }
+
+  close(rect: Rect | null): void {
+    const { zoom, x, y } = rect ? closeness(this.stage.sight, rect) : { zoom: 1, x: 0, y: 0 };
+    this.closer = 1 / zoom;
+    this.middle = [x, y];
     this.shift = [0, 0];
   }
 
@@ -123,8 +131,8 @@ export class Board implements View {
       lying,
       px: cell.x + cell.width / 2 + this.shift[0],
       py: cell.y + cell.height / 2 + this.shift[1],
-      cx: (sight.x0 + sight.x1) / 2,
-      cy: (sight.y0 + sight.y1) / 2,
+      cx: (sight.x0 + sight.x1) / 2 + this.middle[0],
+      cy: (sight.y0 + sight.y1) / 2 + this.middle[1],
     };
   }
 
@@ -139,9 +147,6 @@ export class Board implements View {
     if (choice.marks) {
       this.rings(run, frame.time, LIFE * rate, lens);
     }
-    for (const ball of choice.called) {
-      this.ring(lens, scatter, ball, 1.5, 0.35, "#fff3b0");
-    }
     this.ring(lens, scatter, choice.ball, 1.2, 0.1, "rgba(255,255,255,.8)");
     for (let ball = 0; ball < this.stage.radii.length; ball += 1) {
       if (scatter.present[ball]) {
@@ -149,6 +154,9 @@ export class Board implements View {
       }
     }
     others.forEach((index) => this.ghosts(lens, frame.scatters[index], scatter, index));
+    for (const ball of choice.called) {
+      this.ring(lens, scatter, ball, 1.11, 0.18, "#ffe98a");
+    }
   }
 
   private table(lens: Lens): void {

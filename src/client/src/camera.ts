@@ -1,11 +1,12 @@
 // Where the eye is: from above or free, fitted to what is worth seeing, moved by the reader.
 import { type PerspectiveCamera, Vector3 } from "three";
 import type { Rect } from "./stage.ts";
+import { closeness } from "./view.ts";
 
 /** Field of view, degrees: narrow, so that balls at the edge stay round. */
 export const FIELD = 26;
 /** Tilt of the free view at the start, and the flattest one, rad. */
-const TILT = 0.95;
+const TILT = 0.92;
 const FLATTEST = 1.5;
 /** How long the eye takes to another place, ms. */
 const EASING = 420;
@@ -38,7 +39,13 @@ export class Eye {
 
   /** To one of the two views, gently unless the reader asked for less motion. */
   look(view: "above" | "free"): void {
-    this.to({ tilt: view === "above" ? 0 : TILT, turn: view === "above" ? 0 : -0.32, zoom: 1, x: 0, y: 0 });
+    this.to({ tilt: view === "above" ? 0 : TILT, turn: view === "above" ? 0 : -0.2, zoom: 1, x: 0, y: 0 });
+  }
+
+  /** Comes close to a part of what is in sight, or goes back, from the side that the eye is on. */
+  close(rect: Rect | null): void {
+    const { tilt, turn } = this.goal ?? this.pose;
+    this.to({ tilt, turn, ...(rect ? closeness(this.sight, rect) : { zoom: 1, x: 0, y: 0 }) });
   }
 
   orbit(turn: number, tilt: number): void {
@@ -100,7 +107,7 @@ export class Eye {
     const [hx, hy] = [(sight.x1 - sight.x0) / 2, (sight.y1 - sight.y0) / 2];
     const tall = Math.tan((FIELD * Math.PI) / 360);
     const wide = tall * aspect;
-    const corners = [-1, 1].flatMap((sx) => [-1, 1].flatMap((sy) => [0, 2].map((z) => new Vector3(sx * hx, sy * hy, z))));
+    const corners = [-1, 1].flatMap((sx) => [-1, 1].flatMap((sy) => [-2.6, 2].map((z) => new Vector3(sx * hx, sy * hy, z))));
     const seen = corners.map((p) => ({ x: p.dot(right), y: p.dot(up), z: p.dot(back) }));
     let rise = 0;
     let distance = 0;

@@ -128,7 +128,8 @@ export class Chart {
           ...axis,
           label: facts.axis,
           size: 50,
-          values: (_, splits) => splits.map((value) => (!facts.log ? short(value) : isDecade(value, range) ? `1e${Math.round(Math.log10(value))}`.replace(/^1e0$/, "1") : "")),
+          ...(facts.log ? { splits: () => decades(range), filter: (_: uPlot, splits: number[]) => splits } : {}),
+          values: (_, splits) => splits.map((value) => (facts.log ? `1e${Math.round(Math.log10(value))}`.replace(/^1e0$/, "1") : short(value))),
         },
       ],
       series: [
@@ -139,7 +140,6 @@ export class Chart {
           width: 1.8,
           dash: ink(line.run).dash,
           points: { show: false },
-          spanGaps: facts.log,
         })),
       ],
       hooks: { draw: [(plot) => this.marks(plot), (plot) => this.labels(plot)] },
@@ -214,34 +214,44 @@ export class Chart {
   /** The name of each line where it is alone enough to carry it. */
   private labels(plot: uPlot): void {
     const { ctx: pen, bbox } = plot;
-    const style = getComputedStyle(this.element);
+    const { lines, at } = this.content;
+    if (lines.length < 2) {
+      return;
+    }
+    const ratio = devicePixelRatio;
+    const height = 12 * ratio;
     pen.save();
-    pen.font = `600 ${11 * devicePixelRatio}px ${style.fontFamily}`;
+    pen.font = `600 ${11 * ratio}px ${getComputedStyle(this.element).fontFamily}`;
     pen.textAlign = "center";
     const placed: { x: number; y: number; w: number }[] = [];
-    this.content.lines.forEach((line, own) => {
+    lines.forEach((line, own) => {
+      const w = pen.measureText(line.label).width + 6 * ratio;
       let best = { x: 0, y: 0, room: 0 };
-      for (let i = 2; i < 34; i += 1) {
-        const x = bbox.left + (bbox.width * i) / 36;
-        const t = plot.posToVal((x - bbox.left) / devicePixelRatio, "x");
-        const ys = this.content.lines.map((other) => plot.valToPos(valueAt(this.content.at, other.values, t), "y", true));
-        const y = ys[own];
-        if (!Number.isFinite(y)) {
+      for (let x = bbox.left + w / 2 + 2 * ratio; x < bbox.left + bbox.width - w / 2; x += bbox.width / 60) {
+        // heights of all lines along the words
+        const columns = [-0.5, -0.25, 0, 0.25, 0.5].map((part) => {
+          const t = plot.posToVal((x + part * w - bbox.left) / ratio, "x");
+          return lines.map((other) => plot.valToPos(valueAt(at, other.values, t), "y", true));
+        });
+        const mine = columns.map((column) => column[own]);
+        if (!mine.every(Number.isFinite)) {
           continue;
         }
-        const others = ys.filter((other, index) => index !== own && Number.isFinite(other)).map((other) => Math.abs(other - y + 7 * devicePixelRatio));
-        const taken = placed.map((label) => Math.hypot((label.x - x) / 3, label.y - y));
-        const room = Math.min(60 * devicePixelRatio, y - bbox.top, ...others, ...taken);
+        const y = Math.min(...mine) - 5 * ratio;
+        const middle = y - height / 3;
+        const others = columns.flatMap((column) => column.filter((value, index) => index !== own && Number.isFinite(value))).map((value) => Math.abs(value - middle) - height / 2);
+        const lonely = columns.flatMap((column) => column.filter((value, index) => index !== own && Number.isFinite(value)).map((value) => Math.abs(value - column[own]) - 9 * ratio));
+        const taken = placed.map((label) => Math.max(Math.abs(label.x - x) - (label.w + w) / 2, Math.abs(label.y - y) - height));
+        const steep = Math.max(...mine) - Math.min(...mine);
+        const room = Math.min(40 * ratio, y - height - bbox.top - 12 * ratio, ...others, ...lonely, ...taken) - 0.6 * steep;
         if (room > best.room) {
           best = { x, y, room };
         }
       }
-      if (best.room > 13 * devicePixelRatio) {
+      if (best.room > 0) {
         pen.fillStyle = inkNow(line.run);
-        const w = pen.measureText(line.label).width;
-        const x = Math.min(bbox.left + bbox.width - w / 2, Math.max(bbox.left + w / 2, best.x));
-        pen.fillText(line.label, x, best.y - 6 * devicePixelRatio);
-        placed.push({ x, y: best.y, w });
+        pen.fillText(line.label, best.x, best.y);
+        placed.push({ x: best.x, y: best.y, w });
       }
     });
     pen.restore();
@@ -272,9 +282,13 @@ export class Chart {
   }
 }
 
-/** Whether an axis with this range has room to name a power of ten. */
-function isDecade(value: number, [low, high]: [number, number]): boolean {
-  const power = Math.log10(value);
-  const every = Math.max(1, Math.ceil((Math.log10(high) - Math.log10(low)) / 6));
-  return Math.abs(power - Math.round(power)) < 1e-6 && Math.round(power) % every === 0;
+/** Powers of ten within a range, no more than there is room for. */
+function decades([low, high]: [number, number]): number[] {
+  const [from, to] = [Math.round(Math.log10(low)), Math.round(Math.log10(high))];
+  const every = Math.max(1, Math.ceil((to - from) / 6));
+  const powers: number[] = [];
+  for (let power = Math.ceil(from / every) * every; power <= to; power += every) {
+    powers.push(10 ** power);
+  }
+  return powers;
 }

@@ -13,7 +13,7 @@ import { timeText } from "./numbers.ts";
 import { Plots } from "./plots.ts";
 import { Readout } from "./readout.ts";
 import { type Event, eventsUntil, runs, words } from "./run.ts";
-import { type Stage, stage } from "./stage.ts";
+import { grow, type Rect, type Stage, stage } from "./stage.ts";
 import { type Camera, cells, type Choice, tables, type View } from "./view.ts";
 import { World } from "./world.ts";
 
@@ -25,6 +25,9 @@ export interface Options {
   /** Draw flat, even where there is WebGL. Default false. */
   flat?: boolean;
 }
+
+/** How much is seen around the balls of a parting, R. */
+const CLOSE = 9;
 
 /** What a page can do with a mounted replay. Times in s. */
 export interface Handle {
@@ -117,7 +120,7 @@ class Replay implements Actions {
     const keys = list();
     this.picture.setAttribute("aria-label", `The table of ${data.scene.title}; the same in numbers under “Where the balls are now”`);
     this.picture.append(this.view.canvas, this.captions);
-    element.replaceChildren(this.picture, this.banner, this.controls.element, this.status, this.legend.element, this.plots.element, this.readout.element, keys);
+    element.replaceChildren(this.picture, this.controls.element, this.banner, this.status, this.legend.element, this.plots.element, this.readout.element, keys);
     hands(this.picture, { view: () => this.view, again: this.ask, choose: (ball) => this.follow(ball) });
     hear(element, {
       actions: this,
@@ -208,6 +211,7 @@ class Replay implements Actions {
     this.clock.seek(Math.fround(parting.time));
     this.call(at);
     this.choice.called = parting.balls.map((id) => balls.findIndex((ball) => ball.id === id)).filter((ball) => ball >= 0);
+    this.view?.close(this.around(this.choice.called));
     this.changed();
     this.speak(`${timeText(parting.time, this.stage.end)} ${this.stage.data.scene.time_unit}: ${parting.words}`);
   }
@@ -345,9 +349,27 @@ class Replay implements Actions {
       this.banner.replaceChildren(...names, make("b", {}, `part at ${timeText(parting.time, end)} ${data.scene.time_unit}. `), parting.words);
     } else if (this.choice.called.length > 0) {
       this.choice.called = [];
+      this.view?.close(null);
       this.ask();
     }
     this.element.dataset.parting = String(index);
+  }
+
+  /** The part of the cloth where some balls are, in every shown run; null where none is. */
+  private around(balls: number[]): Rect | null {
+    const { choice, frame } = this;
+    frame.go(this.clock.time);
+    const rect = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+    for (const scatter of frame.scatters.filter(({ run }) => choice.shown[run.index])) {
+      for (const ball of balls) {
+        const [x, y] = [scatter.positions[3 * ball], scatter.positions[3 * ball + 1]];
+        rect.x0 = Math.min(rect.x0, x);
+        rect.x1 = Math.max(rect.x1, x);
+        rect.y0 = Math.min(rect.y0, y);
+        rect.y1 = Math.max(rect.y1, y);
+      }
+    }
+    return rect.x1 >= rect.x0 && rect.y1 >= rect.y0 ? grow(rect, CLOSE) : null;
   }
 
   /** After a change of the clock. */
@@ -411,7 +433,7 @@ class Replay implements Actions {
     const [long, small] = [Math.max(...sides), Math.min(...sides)];
     const tall = width < 560;
     const wanted = tall ? (width * long) / small : (width * small) / long;
-    const height = Math.round(Math.min(Math.max(wanted, 260), Math.max(300, (tall ? 0.56 : 0.6) * window.innerHeight)));
+    const height = Math.round(Math.min(Math.max(wanted, 260), Math.max(300, (tall ? 0.56 : 0.64) * window.innerHeight)));
     picture.style.height = `${height}px`;
     view.resize(width, height);
     this.caption();

@@ -105,9 +105,9 @@ export function valueAt(at: ArrayLike<number>, values: ArrayLike<number | null |
     return NaN;
   }
   const a = values[low - 1] ?? NaN;
-  if (low === at.length || at[low] === at[low - 1]) {
+  if (low === at.length || t === at[low - 1]) {
     return a;
   }
   const b = values[low] ?? NaN;
-  return t === at[low - 1] ? a : a + ((t - at[low - 1]) / (at[low] - at[low - 1])) * (b - a);
+  return a + ((t - at[low - 1]) / (at[low] - at[low - 1])) * (b - a);
 }

@@ -1,7 +1,7 @@
 // The plots of a replay: speed, energy, distance between runs.
 import type { Actions } from "./actions.ts";
 import { Chart, type ChartFacts, type Content } from "./chart.ts";
-import { curves, type Curves, speed, times, type Times } from "./curves.ts";
+import { curves, type Curves, speed, times, type Times, valueAt } from "./curves.ts";
 import { make } from "./dom.ts";
 import { motion } from "./path.ts";
 import type { Stage } from "./stage.ts";
@@ -112,10 +112,10 @@ export class Plots {
     const pairs = data.divergence.filter((pair) => seen(pair.run) && seen(pair.against));
     const at = Float64Array.from(new Set(pairs.flatMap((pair) => pair.points.map(([t]) => t)))).sort();
     const lines = pairs.map((pair) => {
-      const own = new Map(pair.points);
+      const [own, distances] = [pair.points.map(([t]) => t), pair.points.map(([, d]) => d)];
       const label = data.runs[pair.run].label;
       const against = data.runs[pair.against];
-      return { label: against.reference ? label : `${label} to ${against.label}`, run: pair.run, values: Float64Array.from(at, (t) => own.get(t) ?? NaN) };
+      return { label: against.reference ? label : `${label} to ${against.label}`, run: pair.run, values: Float64Array.from(at, (t) => (t <= own[own.length - 1] ? valueAt(own, distances, t) : NaN)) };
     });
     return { at, lines };
   }

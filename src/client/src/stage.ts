@@ -35,7 +35,7 @@ export interface Stage {
 
 /** Widths of the cushion and of the wood behind it, R. */
 export const CUSHION = 1.25;
-export const WOOD = 3.4;
+export const WOOD = 2.9;
 
 /** A table this many times larger than all that moves on it, and this large in R, is not shown whole. */
 const LOST = 4;
@@ -78,6 +78,10 @@ function reach(runs: Run[], radii: Float64Array): { moved: Rect; floor: number }
       const r = radii[ball];
       for (let i = 0; i < path.positions.length; i += 3) {
         const [x, y, z] = [path.positions[i], path.positions[i + 1], path.positions[i + 2]];
+        // an engine that lost its numbers says so; the others are shown
+        if (!Number.isFinite(x + y + z)) {
+          continue;
+        }
         moved.x0 = Math.min(moved.x0, x - r);
         moved.y0 = Math.min(moved.y0, y - r);
         moved.x1 = Math.max(moved.x1, x + r);

@@ -1,17 +1,5 @@
-// Textures of wood and cloth, drawn on canvases from a fixed sequence, and the light of the room.
-import {
-  BackSide,
-  BoxGeometry,
-  CanvasTexture,
-  Mesh,
-  MeshBasicMaterial,
-  PMREMGenerator,
-  RepeatWrapping,
-  Scene,
-  SRGBColorSpace,
-  type Texture,
-  type WebGLRenderer,
-} from "three";
+// Textures of wood, cloth and shade, drawn on canvases from a fixed sequence.
+import { CanvasTexture, RepeatWrapping, SRGBColorSpace, type Texture } from "three";
 
 /** Numbers in [0, 1) that are the same in every browser. */
 function sequence(seed: number): () => number {
@@ -44,7 +32,7 @@ export function wood(): Texture {
   const [element, pen] = canvas(width, height);
   if (pen) {
     const next = sequence(7);
-    pen.fillStyle = "#5a2b17";
+    pen.fillStyle = "#6b3a20";
     pen.fillRect(0, 0, width, height);
     for (let i = 0; i < 420; i += 1) {
       const y = next() * height;
@@ -93,29 +81,4 @@ export function shade(): Texture {
     pen.fillRect(0, 0, size, size);
   }
   return new CanvasTexture(element);
-}
-
-/** What polished balls mirror: a dim room and the lamp above a table. */
-export function room(renderer: WebGLRenderer): Texture {
-  const scene = new Scene();
-  const box = new BoxGeometry(1, 1, 1);
-  const add = (shade: number, size: [number, number, number], place: [number, number, number], inside = false): void => {
-    const material = new MeshBasicMaterial({ side: inside ? BackSide : 0 });
-    material.color.setRGB(shade, shade * 0.97, shade * 0.9);
-    const mesh = new Mesh(box, material);
-    mesh.scale.set(...size);
-    mesh.position.set(...place);
-    scene.add(mesh);
-  };
-  add(0.16, [60, 60, 30], [0, 0, 6], true);
-  for (const y of [-9, 0, 9]) {
-    add(14, [7, 4.2, 0.3], [0, y, 15]);
-  }
-  add(1.1, [0.5, 40, 9], [-29, 0, 6]);
-  add(0.7, [40, 0.5, 9], [0, 29, 6]);
-  const generator = new PMREMGenerator(renderer);
-  const made = generator.fromScene(scene, 0.02).texture;
-  generator.dispose();
-  box.dispose();
-  return made;
 }

@@ -11,7 +11,7 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
   Path as Hole,
   PlaneGeometry,
   RingGeometry,
@@ -20,6 +20,7 @@ import {
   Vector2,
 } from "three";
 import { outline, type Straight } from "./outline.ts";
+import { polish } from "./polish.ts";
 import { CUSHION, grow, type Rect, type Stage, WOOD } from "./stage.ts";
 import { weave, wood } from "./surfaces.ts";
 
@@ -55,9 +56,29 @@ function cloth(stage: Stage): Mesh {
   }
   const map = weave();
   map.repeat.set(1 / 9, 1 / 9);
-  const mesh = new Mesh(new ShapeGeometry(shape, 40), new MeshStandardMaterial({ color: CLOTH, map, roughness: 0.95, metalness: 0, envMapIntensity: 0.55 }));
+  const material = new MeshLambertMaterial({ color: CLOTH, map });
+  lit(material, stage.cloth);
+  const mesh = new Mesh(new ShapeGeometry(shape, 40), material);
   mesh.receiveShadow = true;
   return mesh;
+}
+
+/** Lets the light of the lamps fall off toward the edge of the cloth. */
+function lit(material: MeshLambertMaterial, rect: Rect): void {
+  const vec = (x: number, y: number): string => `vec2(${x.toFixed(5)}, ${y.toFixed(5)})`;
+  const middle = vec((rect.x0 + rect.x1) / 2, (rect.y0 + rect.y1) / 2);
+  const half = vec((rect.x1 - rect.x0) / 2, (rect.y1 - rect.y0) / 2);
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nvarying vec2 litAt;")
+      .replace("#include <begin_vertex>", "#include <begin_vertex>\nlitAt = position.xy;");
+    shader.fragmentShader = shader.fragmentShader.replace("#include <common>", "#include <common>\nvarying vec2 litAt;").replace(
+      "#include <map_fragment>",
+      `#include <map_fragment>
+       vec2 off = abs(litAt - ${middle}) / ${half};
+       diffuseColor.rgb *= mix(1.12, 0.66, smoothstep(0.25, 1.5, length(off)));`,
+    );
+  };
 }
 
 /** The cushions: a prism along each straight part of the edge. */
@@ -70,7 +91,7 @@ function cushions(edge: Rect, stage: Stage): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
   geometry.computeVertexNormals();
-  const mesh = new Mesh(geometry, new MeshStandardMaterial({ color: CUSHION_CLOTH, roughness: 0.9, side: DoubleSide, envMapIntensity: 0.6 }));
+  const mesh = new Mesh(geometry, new MeshLambertMaterial({ color: CUSHION_CLOTH, side: DoubleSide }));
   mesh.castShadow = true;
   mesh.receiveShadow = true;
   return mesh;
@@ -86,21 +107,23 @@ function prism(straight: Straight, corners: number[]): void {
   const flare = (pocket: boolean): number => (pocket ? FLARE : 1) * CUSHION;
   const at = (along: number, out: number, z: number): [number, number, number] => [x0 + along * ux + out * nx, y0 + along * uy + out * ny, z];
   const profile: [number, number][] = [
-    [0.3, 0],
-    [0, NOSE],
+    [0.22, 0],
+    [0, NOSE - 0.2],
+    [0.1, NOSE],
     [CUSHION, TOP - 0.02],
     [CUSHION, 0],
   ];
   const start = (out: number): number => (-out / CUSHION) * flare(straight.pocketBefore);
   const end = (out: number): number => length + (out / CUSHION) * flare(straight.pocketAfter);
   const quad = (a: number[], b: number[], c: number[], d: number[]): void => void corners.push(...a, ...b, ...c, ...a, ...c, ...d);
-  for (let i = 0; i < 2; i += 1) {
+  for (let i = 0; i < 3; i += 1) {
     const [[d0, z0], [d1, z1]] = [profile[i], profile[i + 1]];
     quad(at(start(d0), d0, z0), at(start(d1), d1, z1), at(end(d1), d1, z1), at(end(d0), d0, z0));
   }
   for (const side of [start, end]) {
-    const [a, b, c, d] = profile.map(([out, z]) => at(side(out), out, z));
+    const [a, b, c, d, e] = profile.map(([out, z]) => at(side(out), out, z));
     quad(a, b, c, d);
+    corners.push(...a, ...d, ...e);
   }
 }
 
@@ -123,8 +146,9 @@ function frame(edge: Rect, stage: Stage): Mesh {
   const bevel = 0.22;
   const geometry = new ExtrudeGeometry(shape, { depth: TOP + 3 - 2 * bevel, bevelSize: bevel, bevelThickness: bevel, bevelOffset: -bevel, bevelSegments: 3, curveSegments: 12 });
   geometry.translate(0, 0, -3 + bevel);
-  const material = new MeshStandardMaterial({ map: wood(), roughness: 0.38, metalness: 0, envMapIntensity: 0.9 });
+  const material = new MeshLambertMaterial({ map: wood() });
   grain(material, edge);
+  polish(material, stage, 0.55, 0.12);
   const mesh = new Mesh(geometry, material);
   mesh.castShadow = true;
   mesh.receiveShadow = true;
@@ -132,7 +156,7 @@ function frame(edge: Rect, stage: Stage): Mesh {
 }
 
 /** Lets the grain run along each rail and meet at the corners at 45 degrees. */
-function grain(material: MeshStandardMaterial, edge: Rect): void {
+function grain(material: MeshLambertMaterial, edge: Rect): void {
   const middle = [(edge.x0 + edge.x1) / 2, (edge.y0 + edge.y1) / 2];
   const half = [(edge.x1 - edge.x0) / 2, (edge.y1 - edge.y0) / 2];
   const vec = (v: number[]): string => `vec2(${v.map((x) => x.toFixed(6)).join(",")})`;
@@ -168,7 +192,7 @@ function sights(edge: Rect, stage: Stage): InstancedMesh {
     places.push([edge.x0 - out, edge.y0 + (long * i) / ny], [edge.x1 + out, edge.y0 + (long * i) / ny]);
   }
   const free = places.filter(([x, y]) => stage.pockets.every((pocket) => Math.hypot(pocket.x - x, pocket.y - y) > pocket.r + 1.6));
-  const mesh = new InstancedMesh(new CircleGeometry(0.26, 4), new MeshStandardMaterial({ color: "#efe6d2", roughness: 0.3 }), Math.max(1, free.length));
+  const mesh = new InstancedMesh(new CircleGeometry(0.26, 4), new MeshLambertMaterial({ color: "#efe6d2" }), Math.max(1, free.length));
   mesh.count = free.length;
   free.forEach(([x, y], i) => mesh.setMatrixAt(i, new Matrix4().makeTranslation(x, y, TOP + 0.012)));
   return mesh;
@@ -176,11 +200,11 @@ function sights(edge: Rect, stage: Stage): InstancedMesh {
 
 /** A pocket: a dark shaft, its ground, and a leather rim where it cuts into the wood. */
 function hole(x: number, y: number, r: number): Mesh[] {
-  const shaft = new Mesh(new CylinderGeometry(r, r * 0.92, 2.6, 40, 1, true).rotateX(Math.PI / 2), new MeshStandardMaterial({ color: "#15110e", roughness: 0.9, side: DoubleSide }));
+  const shaft = new Mesh(new CylinderGeometry(r, r * 0.92, 2.6, 40, 1, true).rotateX(Math.PI / 2), new MeshLambertMaterial({ color: "#15110e", side: DoubleSide }));
   shaft.position.set(x, y, -1.3);
   const ground = new Mesh(new CircleGeometry(r, 40), new MeshBasicMaterial({ color: "#050505" }));
   ground.position.set(x, y, -2.5);
-  const rim = new Mesh(new RingGeometry(r * 0.985, r * 1.06, 48), new MeshStandardMaterial({ color: "#0b0a09", roughness: 0.7 }));
+  const rim = new Mesh(new RingGeometry(r * 0.985, r * 1.06, 48), new MeshLambertMaterial({ color: "#0b0a09" }));
   rim.position.set(x, y, 0.012);
   return [shaft, ground, rim];
 }
@@ -192,7 +216,7 @@ export function leather(stage: Stage): Group {
   if (!stage.table) {
     return group;
   }
-  const material = new MeshStandardMaterial({ color: "#17130f", roughness: 0.6, side: DoubleSide });
+  const material = new MeshLambertMaterial({ color: "#17130f", side: DoubleSide });
   for (const arc of outline(grow(stage.table, CUSHION), liners(stage)).arcs) {
     const { x, y, r } = arc.pocket;
     const wall = new Mesh(new CylinderGeometry(r, r, TOP + 1, 40, 1, true, 0, arc.sweep).rotateX(Math.PI / 2), material);

@@ -30,8 +30,10 @@ export interface View {
   resize(width: number, height: number): void;
   /** The ball at a place of the picture, CSS px; -1 for none. */
   pick(x: number, y: number): number;
-  /** Takes a new camera of the choice. */
+  /** Takes a new camera of the choice, with everything in view. */
   look(choice: Choice): void;
+  /** Comes close to a part of the cloth; null goes back to everything. */
+  close(rect: Rect | null): void;
   /** Turns and tilts by parts of the picture, zooms by a factor, moves by parts of the picture. */
   orbit(right: number, down: number): void;
   zoom(factor: number): void;
@@ -51,6 +53,13 @@ export function tables(choice: Choice): number[] {
 /** The runs drawn as ghosts over a table. */
 export function ghosts(choice: Choice, table: number): number[] {
   return choice.apart ? [] : choice.shown.flatMap((on, index) => (on && index !== table ? [index] : []));
+}
+
+/** The part of everything that a close look at `rect` shows: its share of the size, and its middle from the whole's. */
+export function closeness(sight: Rect, rect: Rect): { zoom: number; x: number; y: number } {
+  const [wide, tall] = [sight.x1 - sight.x0, sight.y1 - sight.y0];
+  const zoom = Math.min(1, Math.max((rect.x1 - rect.x0) / wide, (rect.y1 - rect.y0) / tall));
+  return { zoom, x: (rect.x0 + rect.x1 - sight.x0 - sight.x1) / 2, y: (rect.y0 + rect.y1 - sight.y0 - sight.y1) / 2 };
 }
 
 /** A part of the picture, CSS px. */

@@ -17,8 +17,7 @@ import { GhostBalls, Halos, SolidBalls } from "./balls.ts";
 import { Eye } from "./camera.ts";
 import type { Frame } from "./frame.ts";
 import { Rings, Trails } from "./marks.ts";
-import type { Stage } from "./stage.ts";
-import { room } from "./surfaces.ts";
+import type { Rect, Stage } from "./stage.ts";
 import { ground, leather, table } from "./table.ts";
 import { type Cell, cellAt, cells, type Choice, ghosts, tables, type View } from "./view.ts";
 
@@ -40,8 +39,7 @@ export class World implements View {
   private readonly trails = new Map<string, Trails>();
   private readonly rings = new Map<number, Rings>();
   private readonly base = new Quaternion();
-  private readonly light = new DirectionalLight("#fff1dc", 1.5);
-  private readonly sky: Texture;
+  private readonly light = new DirectionalLight("#fff1dc", 2.7);
   private width = 1;
   private height = 1;
   private slow = 0;
@@ -67,9 +65,7 @@ export class World implements View {
     renderer.toneMappingExposure = 0.95;
     renderer.shadowMap.enabled = true;
     renderer.autoClear = false;
-    this.sky = room(renderer);
-    scene.environment = this.sky;
-    scene.add(new HemisphereLight("#ffffff", "#3a4a40", 0.5));
+    scene.add(new HemisphereLight("#fff6e8", "#3a8a6a", 1.75));
     this.lamp();
     scene.add(table(stage), leather(stage));
     if (!stage.table) {
@@ -88,6 +84,10 @@ export class World implements View {
 
   look(choice: Choice): void {
     this.eye.look(choice.camera === "free" ? "free" : "above");
+  }
+
+  close(rect: Rect | null): void {
+    this.eye.close(rect);
   }
 
   orbit(right: number, down: number): void {
@@ -172,7 +172,6 @@ export class World implements View {
         }
       }
     });
-    this.sky.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -239,7 +238,7 @@ export class World implements View {
   /** How a ball lies that has not turned: its number up, leaning to the reader. */
   private lie(lying: boolean): void {
     this.eye.lying = lying;
-    const lean = 0.42;
+    const lean = 0.3;
     if (lying) {
       this.base.setFromAxisAngle(new Vector3(0, 1, 0), lean).multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), Math.PI / 2));
     } else {
