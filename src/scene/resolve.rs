@@ -77,7 +77,11 @@ fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
                 let message = format!("{what} need a `[table]`, which the scene does not give");
                 let span = at.key(&format!("effects.{key}"));
                 let label = format!("{what} are named here");
-                problems.push(missing(span, message, help).labelled(label).wanting("table"));
+                problems.push(
+                    missing(span, message, help)
+                        .labelled(label)
+                        .wanting("table"),
+                );
             }
         }
         return None;

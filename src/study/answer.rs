@@ -30,7 +30,8 @@ impl Answer {
             max_events,
             cancelled: watch.cancelled,
         };
-        let outcome = compare::study_within(scene, richer.as_ref(), columns, timing, &limits, watch);
+        let outcome =
+            compare::study_within(scene, richer.as_ref(), columns, timing, &limits, watch);
         let surroundings = ensemble::surroundings(&outcome, watch);
         Ok(Answer {
             outcome,

@@ -104,7 +104,10 @@ impl Asked {
         };
         match base {
             Ok(base) => Ok(Asked::new(base, fields, None)),
-            Err(problem) => Err((Asked::new(start.to_owned(), Pairs::default(), None), problem)),
+            Err(problem) => Err((
+                Asked::new(start.to_owned(), Pairs::default(), None),
+                problem,
+            )),
         }
     }
 
@@ -181,6 +184,14 @@ pub struct Drawn {
     pub problems: Vec<Problem>,
 }
 
+impl Drawn {
+    /// The name of the scene, right or wrong.
+    pub fn name(&self) -> &str {
+        let name = self.table.get("name").and_then(toml::Value::as_str);
+        name.unwrap_or("scene")
+    }
+}
+
 fn is_of_engines(name: &str) -> bool {
     use super::form::{ENGINE, MORE, STEP};
     name == ENGINE || name == MORE || name.starts_with(STEP)
@@ -190,7 +201,8 @@ fn is_of_engines(name: &str) -> bool {
 fn too_large(scene: &Scene) -> Option<Problem> {
     let balls = scene.balls.len();
     if balls > MOST_BALLS {
-        let message = format!("{balls} balls are too many for this page, {MOST_BALLS} are the most");
+        let message =
+            format!("{balls} balls are too many for this page, {MOST_BALLS} are the most");
         let help = "carom compare takes any number";
         return Some(Problem::at("scene", message, help));
     }

@@ -30,8 +30,8 @@ pub use problem::{Problem, body as problems};
 pub use shot::MOST_EVENTS;
 pub use wire::{LARGEST_BODY, LARGEST_HEAD, Request, Response, Unread, read};
 
-use asked::Asked;
 use crate::scene::catalogue;
+use asked::Asked;
 use std::sync::atomic::AtomicBool;
 
 /// What a server serves.
@@ -99,7 +99,10 @@ pub fn handle(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
 fn posted(request: &Request, path: &str, site: &Site, turns: &dyn Turns) -> Response {
     let known = ["application/json", "application/x-www-form-urlencoded"];
     if !known.iter().any(|kind| request.says("Content-Type", kind)) {
-        let why = format!("the Content-Type of the body must be {}", known.join(" or "));
+        let why = format!(
+            "the Content-Type of the body must be {}",
+            known.join(" or ")
+        );
         return Response::json(415, problems(&[Problem::new(why)]));
     }
     let asked = match Asked::of_body(request, &site.start) {

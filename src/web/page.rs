@@ -2,12 +2,11 @@
 
 use super::asked::{Asked, Drawn};
 use super::encoding::link;
-use super::problem::Problem;
 use super::wire::Response;
 use super::{Site, Turns, form, shot, start};
 use crate::report::html;
-use crate::report::svg::{self, escape};
-use crate::scene::{Scene, catalogue};
+use crate::report::svg::escape;
+use crate::scene::catalogue;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
@@ -56,7 +55,10 @@ pub fn answered(asked: &Asked, turns: &dyn Turns) -> Response {
         Ok(shot) => {
             let notice = match shot.notice.as_str() {
                 "" => String::new(),
-                words => format!("<p class=\"notice-line\" role=\"status\">{}</p>\n", escape(words)),
+                words => format!(
+                    "<p class=\"notice-line\" role=\"status\">{}</p>\n",
+                    escape(words)
+                ),
             };
             let answer = html::fragment(&shot.answer.page());
             page(asked, &drawn, &(notice + &answer))
@@ -73,8 +75,7 @@ pub fn answered(asked: &Asked, turns: &dyn Turns) -> Response {
 
 fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
     let status = if drawn.problems.is_empty() { 200 } else { 400 };
-    let name = drawn.table.get("name").and_then(toml::Value::as_str);
-    let name = escape(name.unwrap_or("scene"));
+    let name = escape(drawn.name());
     let html = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -92,7 +93,7 @@ fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
         picker = picker(&name),
         form = shot::form_of(asked, drawn),
         link = link_to(drawn),
-        picture = drawn.scene.as_ref().map(picture).unwrap_or_default(),
+        picture = drawn.scene.as_ref().map(start::html).unwrap_or_default(),
     );
     Response::page(status, POLICY.clone(), html)
 }
@@ -113,13 +114,10 @@ fn picker(name: &str) -> String {
 fn link_to(drawn: &Drawn) -> String {
     let link = drawn.scene.as_ref().and_then(|_| link(&drawn.text));
     match link {
-        Some(link) => format!("<a id=\"link\" href=\"{}\">Link to this shot</a>", escape(&link)),
+        Some(link) => format!(
+            "<a id=\"link\" href=\"{}\">Link to this shot</a>",
+            escape(&link)
+        ),
         None => String::new(),
     }
-}
-
-/// Where the balls lie, until something has run.
-fn picture(scene: &Scene) -> String {
-    let figure = start::picture(scene);
-    format!("<div class=\"picture start\">{}</div>", svg::draw(&figure, "start").svg)
 }

@@ -5,10 +5,10 @@ use super::encoding::link;
 use super::form::{self, Filled};
 use super::problem::{Problem, body};
 use super::wire::Response;
-use super::{Turn, Turns};
+use super::{Turn, Turns, start};
 use crate::report::{html, json, replay};
 use crate::scene::Scene;
-use crate::study::compare::{LengthUnit, replay::replay as replay_of};
+use crate::study::compare::{self, LengthUnit};
 use crate::study::{Answer, Column, Timing, Watch};
 use serde_json::json;
 
@@ -25,15 +25,13 @@ pub struct Shot {
 }
 
 /// Runs a scene. Errors: status and what is wrong.
-pub fn run(
-    asked: &Asked,
-    drawn: &Drawn,
-    turns: &dyn Turns,
-) -> Result<Shot, (u16, Vec<Problem>)> {
+pub fn run(asked: &Asked, drawn: &Drawn, turns: &dyn Turns) -> Result<Shot, (u16, Vec<Problem>)> {
     let Some(scene) = &drawn.scene else {
         return Err((400, drawn.problems.clone()));
     };
-    let columns = asked.columns(scene).map_err(|problem| (400, vec![problem]))?;
+    let columns = asked
+        .columns(scene)
+        .map_err(|problem| (400, vec![problem]))?;
     let mut found = None;
     let turn = turns.take(&mut |cancelled| {
         let watch = Watch {
@@ -74,13 +72,14 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
         Err((status, problems)) => return Response::json(status, body(&problems)),
     };
     let summary = shot.answer.summary(LengthUnit::Radius);
-    let (replay, why) = match replay_of(&shot.answer.outcome) {
+    let (replay, why) = match compare::replay(&shot.answer.outcome) {
         Ok(data) => (replay::data(&data), String::new()),
         Err(why) => ("null".to_owned(), why),
     };
     // the document is written once and by one writer: byte for byte that of the command line
     let body = format!(
-        "{{\"toml\":{},\"form\":{},\"link\":{},\"notice\":{},\"html\":{},\"no_replay\":{},\"document\":{},\"replay\":{}}}",
+        "{{\"name\":{},\"toml\":{},\"form\":{},\"link\":{},\"notice\":{},\"html\":{},\"no_replay\":{},\"document\":{},\"replay\":{}}}",
+        json!(drawn.name()),
         json!(drawn.text),
         json!(form_of(asked, &drawn)),
         json!(link(&drawn.text)),
@@ -93,18 +92,20 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
     Response::json(200, body)
 }
 
-/// The answer that runs nothing: the scene as a file, its form, a link to it.
+/// The answer that runs nothing: the scene as a file, its form, a link to it; or what is wrong with it, which is an answer as well.
 pub fn drawn_up(asked: &Asked) -> Response {
-    let drawn = asked.drawn_up();
-    if drawn.scene.is_none() {
-        return Response::json(400, body(&drawn.problems));
-    }
-    let name = drawn.table.get("name").and_then(toml::Value::as_str);
+    let mut drawn = asked.drawn_up();
+    let engines = drawn.scene.as_ref().map(|scene| asked.columns(scene));
+    drawn.problems.extend(engines.and_then(Result::err));
+    let Some(scene) = drawn.scene.as_ref().filter(|_| drawn.problems.is_empty()) else {
+        return Response::json(200, body(&drawn.problems));
+    };
     let answer = json!({
-        "name": name,
+        "name": drawn.name(),
         "toml": drawn.text,
         "form": form_of(asked, &drawn),
         "link": link(&drawn.text),
+        "picture": start::html(scene),
     });
     Response::json(200, answer.to_string())
 }

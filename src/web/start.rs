@@ -1,13 +1,19 @@
 //! The picture of a scene before anything has run: where the balls lie, and where the shot goes.
 
 use crate::finding::{Axis, Figure, Series, Style};
+use crate::report::svg;
 use crate::scene::{Ball, Scene};
 
 /// Length of the line of a shot on a plane without edges, radii.
 const REACH: f64 = 40.0;
 
-/// The picture.
-pub fn picture(scene: &Scene) -> Figure {
+/// The picture as a part of a page.
+pub fn html(scene: &Scene) -> String {
+    let drawing = svg::draw(&picture(scene), "start");
+    format!("<div class=\"picture at-start\">{}</div>", drawing.svg)
+}
+
+fn picture(scene: &Scene) -> Figure {
     let cue = scene.cue_ball();
     let mut series = Vec::new();
     for (i, ball) in scene.balls.iter().enumerate() {

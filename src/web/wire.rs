@@ -38,7 +38,10 @@ pub struct Request {
 impl Request {
     /// Every value of a header, whatever the case of its name.
     pub fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
-        let named = self.headers.iter().filter(|(n, _)| n.eq_ignore_ascii_case(name));
+        let named = self
+            .headers
+            .iter()
+            .filter(|(n, _)| n.eq_ignore_ascii_case(name));
         named.map(|(_, value)| value.as_str())
     }
 
@@ -225,9 +228,17 @@ fn parse(head: &[u8]) -> Result<Request, Unread> {
         Ok(httparse::Status::Complete(_)) => {}
         Ok(httparse::Status::Partial) => return Err(refused(400, "the request is not HTTP/1.1")),
         Err(httparse::Error::TooManyHeaders) => {
-            return Err(refused(431, format!("there are more than {MOST_HEADERS} headers")));
+            return Err(refused(
+                431,
+                format!("there are more than {MOST_HEADERS} headers"),
+            ));
         }
-        Err(error) => return Err(refused(400, format!("the request is not HTTP/1.1: {error}"))),
+        Err(error) => {
+            return Err(refused(
+                400,
+                format!("the request is not HTTP/1.1: {error}"),
+            ));
+        }
     }
     let target = parsed.path.unwrap_or_default();
     if !target.starts_with('/') {
@@ -250,7 +261,10 @@ fn parse(head: &[u8]) -> Result<Request, Unread> {
 /// The length of the body, bytes.
 fn length(request: &Request) -> Result<usize, Unread> {
     if request.all("Transfer-Encoding").next().is_some() {
-        return Err(refused(501, "the body must come in one piece, with its Content-Length"));
+        return Err(refused(
+            501,
+            "the body must come in one piece, with its Content-Length",
+        ));
     }
     let mut lengths = request.all("Content-Length");
     match (lengths.next(), lengths.next()) {
@@ -258,7 +272,9 @@ fn length(request: &Request) -> Result<usize, Unread> {
             Err(refused(411, "the body must come with its Content-Length"))
         }
         (None, _) => Ok(0),
-        (Some(digits), None) if !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) => {
+        (Some(digits), None)
+            if !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) =>
+        {
             // more digits than a machine word has are more bytes than any bound
             Ok(digits.parse().unwrap_or(usize::MAX))
         }

@@ -5,6 +5,8 @@
 
 mod blocks;
 
+pub use blocks::inline;
+
 use super::names::{Page, Pages};
 use super::svg::{self, escape};
 use crate::finding::{Block, Cell, Document};

@@ -202,12 +202,7 @@ pub fn study_within(
 }
 
 /// Concludes from the cells of one scene. Reads only; causes that need further runs stay open.
-fn conclude(
-    scene: &Scene,
-    columns: &[Column],
-    cells: Vec<Cell>,
-    limits: &Limits<'_>,
-) -> Outcome {
+fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits<'_>) -> Outcome {
     let entries = columns.iter().cloned().zip(cells);
     let entries = entries
         .map(|(column, cell)| Entry {

@@ -212,9 +212,7 @@ fn put(table: &mut Table, path: &str, value: Option<Value>) {
         if value.is_none() && !at.contains_key(step) {
             return;
         }
-        let inner = at
-            .entry(step)
-            .or_insert_with(|| Value::Table(Table::new()));
+        let inner = at.entry(step).or_insert_with(|| Value::Table(Table::new()));
         let Value::Table(inner) = inner else {
             return;
         };

@@ -129,12 +129,23 @@ fn listed(list: &str, field: &str) -> Result<Vec<Column>, Problem> {
 fn checked(columns: Vec<Column>, scene: &Scene) -> Result<Vec<Column>, Problem> {
     if columns.len() > MOST_COLUMNS {
         let message = format!("{} engines are too many for one page", columns.len());
-        return Err(Problem::at(MORE, message, format!("{MOST_COLUMNS} are the most")));
+        return Err(Problem::at(
+            MORE,
+            message,
+            format!("{MOST_COLUMNS} are the most"),
+        ));
     }
     for (i, column) in columns.iter().enumerate() {
-        if columns[..i].iter().any(|known| known.label() == column.label()) {
+        if columns[..i]
+            .iter()
+            .any(|known| known.label() == column.label())
+        {
             let message = format!("`{}` is listed twice", column.label());
-            return Err(Problem::at(MORE, message, "name each engine and setting once"));
+            return Err(Problem::at(
+                MORE,
+                message,
+                "name each engine and setting once",
+            ));
         }
         // what an engine cannot simulate is an answer; what it does not understand is a mistake of the form
         if let Err(Refusal::Setting { message }) = column.engine.pace(scene, &column.setting) {

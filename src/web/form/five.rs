@@ -22,7 +22,7 @@ pub const FIVE: [Input; 5] = [
     Input {
         name: "mass",
         label: "Ball mass",
-        unit: "mass",
+        unit: "",
         recommended: 0.107,
         range: "greater than 0",
         paths: &["ball.mass"],
@@ -45,7 +45,7 @@ pub const FIVE: [Input; 5] = [
     },
     Input {
         name: "friction",
-        label: "Friction",
+        label: "Cloth friction",
         unit: "",
         recommended: 0.2,
         range: "realistic 0.15 to 0.4",
@@ -59,7 +59,7 @@ pub const FIVE: [Input; 5] = [
         label: "Shot angle",
         unit: "degrees",
         recommended: 90.0,
-        range: "90 straight at the rack, 270 away from it",
+        range: "straight at the rack; 270 is away from it, -360 to 360",
         paths: &[
             "shot.force.angle_deg",
             "shot.velocity.angle_deg",

@@ -3,6 +3,7 @@
 use super::engines::{ENGINE, Engines, MORE, STEP};
 use super::five::{FIVE, Input};
 use super::{Choice, Field, Form, GIVEN, Kind, Law, NONE, Node};
+use crate::report::html::inline;
 use crate::report::svg::escape;
 use crate::web::problem::Problem;
 use toml::Table;
@@ -74,7 +75,9 @@ pub fn rules() -> String {
             .collect();
         if !no.is_empty() {
             let field = id(input.name);
-            css += &format!("form{no} .unused-{field}{{display:block}}form{no} #{field}{{opacity:.55}}");
+            css += &format!(
+                "form{no} .unused-{field}{{display:block}}form{no} #{field}{{opacity:.55}}"
+            );
         }
     }
     css
@@ -129,7 +132,11 @@ impl Writer<'_> {
     }
 
     fn section(&self, title: &str, inner: &str) -> String {
-        let open = if inner.contains("aria-invalid") { " open" } else { "" };
+        let open = if inner.contains("aria-invalid") {
+            " open"
+        } else {
+            ""
+        };
         format!(
             "<details class=\"part\" id=\"{}\"{open}><summary>{title}</summary>\n{inner}</details>\n",
             id(title)
@@ -150,15 +157,17 @@ impl Writer<'_> {
         };
         let unit = match input.unit {
             "" => String::new(),
-            unit => format!(" <span class=\"unit\">{unit}</span>"),
+            unit => format!("{unit}; "),
         };
         let element = id(input.name);
         let used = match input.paths.iter().all(|path| !path.contains('.')) {
             true => String::new(),
-            false => format!("<p class=\"unused unused-{element}\">not used by what is chosen below</p>"),
+            false => {
+                format!("<p class=\"unused unused-{element}\">not used by what is chosen below</p>")
+            }
         };
         format!(
-            "<div class=\"field\"><label for=\"{element}\">{}{unit}</label>{}<p class=\"hint\" id=\"hint-{element}\">recommended {}; {}</p>{used}{}</div>\n",
+            "<div class=\"field\"><label for=\"{element}\">{}</label>{}<p class=\"hint\" id=\"hint-{element}\">{unit}recommended {}, {}</p>{used}{}</div>\n",
             input.label,
             self.number(&field.kind, input.name, &value),
             input.recommended,
@@ -180,7 +189,7 @@ impl Writer<'_> {
                 format!(
                     "<fieldset><legend>{}</legend><p class=\"hint\">{}</p>{inner}</fieldset>\n",
                     escape(path),
-                    escape(meaning)
+                    inline(meaning)
                 )
             }
         }
@@ -197,7 +206,11 @@ impl Writer<'_> {
         };
         let laws: String = choice.laws.iter().map(|law| option(&law.id)).collect();
         let element = id(&choice.path);
-        let panels: String = choice.laws.iter().map(|law| self.law(choice, law)).collect();
+        let panels: String = choice
+            .laws
+            .iter()
+            .map(|law| self.law(choice, law))
+            .collect();
         format!(
             "<fieldset><legend class=\"sr\">{label}</legend><div class=\"field\"><label for=\"{element}\">{label}</label>\
              <select id=\"{element}\" name=\"{path}\" {describe}>{none}{laws}</select>\
@@ -206,7 +219,7 @@ impl Writer<'_> {
             path = choice.path,
             describe = self.described(&choice.path),
             none = option(NONE),
-            meaning = escape(&choice.meaning),
+            meaning = inline(&choice.meaning),
             errors = self.errors(&choice.path),
         )
     }
@@ -215,7 +228,7 @@ impl Writer<'_> {
         let inner: String = law.nodes.iter().map(|node| self.node(node)).collect();
         let what = match law.id.as_str() {
             GIVEN => String::new(),
-            _ => format!("<p class=\"hint\">{}</p>", escape(&law.what)),
+            _ => format!("<p class=\"hint\">{}</p>", inline(&law.what)),
         };
         format!(
             "<div class=\"law\" data-law=\"{} {}\">{what}{inner}</div>",
@@ -233,7 +246,10 @@ impl Writer<'_> {
             );
         }
         let element = id(&field.name);
-        let value = match (&field.value, super::proposed(&field.path, self.filled.scene)) {
+        let value = match (
+            &field.value,
+            super::proposed(&field.path, self.filled.scene),
+        ) {
             (held, Some(proposed)) if held.is_empty() && field.required => super::shown(&proposed),
             (held, _) => held.clone(),
         };
@@ -249,15 +265,22 @@ impl Writer<'_> {
             }
             Kind::Flag => {
                 let yes = if value == "true" { " selected" } else { "" };
-                let options =
-                    format!("<option value=\"off\">no</option><option value=\"on\"{yes}>yes</option>");
+                let options = format!(
+                    "<option value=\"off\">no</option><option value=\"on\"{yes}>yes</option>"
+                );
                 self.element("select", &field.name, "", Some(&options))
             }
-            Kind::Rows(_) => {
-                self.element("textarea", &field.name, "rows=\"6\" spellcheck=\"false\"", Some(&escape(&value)))
-            }
+            Kind::Rows(_) => self.element(
+                "textarea",
+                &field.name,
+                "rows=\"6\" spellcheck=\"false\"",
+                Some(&text_of_area(&value)),
+            ),
             Kind::Text | Kind::Numbers(_) => {
-                let value = format!("type=\"text\" autocomplete=\"off\" value=\"{}\"", escape(&value));
+                let value = format!(
+                    "type=\"text\" autocomplete=\"off\" value=\"{}\"",
+                    escape(&value)
+                );
                 self.element("input", &field.name, &value, None)
             }
         };
@@ -303,9 +326,9 @@ impl Writer<'_> {
     fn described(&self, name: &str) -> String {
         let element = id(name);
         match self.problems(name).next() {
-            Some(_) => format!(
-                "aria-invalid=\"true\" aria-describedby=\"error-{element} hint-{element}\""
-            ),
+            Some(_) => {
+                format!("aria-invalid=\"true\" aria-describedby=\"error-{element} hint-{element}\"")
+            }
             None => format!("aria-describedby=\"hint-{element}\""),
         }
     }
@@ -314,7 +337,11 @@ impl Writer<'_> {
         let words: Vec<String> = self.problems(name).map(sentence).collect();
         match words.is_empty() {
             true => String::new(),
-            false => format!("<p class=\"error\" id=\"error-{}\">{}</p>", id(name), words.join(" ")),
+            false => format!(
+                "<p class=\"error\" id=\"error-{}\">{}</p>",
+                id(name),
+                words.join(" ")
+            ),
         }
     }
 
@@ -356,8 +383,14 @@ impl Writer<'_> {
             "type=\"text\" autocomplete=\"off\" spellcheck=\"false\" placeholder=\"rapier-f64:preset=stock\" value=\"{}\"",
             escape(&engines.more)
         );
-        let what = "any other engine and setting, as in carom compare --engines; carom engines lists them";
-        html += &self.line(MORE, "more engines", &self.element("input", MORE, &more, None), what);
+        let what =
+            "any other engine and setting, as in carom compare --engines; carom engines lists them";
+        html += &self.line(
+            MORE,
+            "more engines",
+            &self.element("input", MORE, &more, None),
+            what,
+        );
         html + "</fieldset>\n"
     }
 
@@ -365,7 +398,7 @@ impl Writer<'_> {
         let element = id(name);
         format!(
             "<div class=\"field\"><label for=\"{element}\">{label}</label>{control}<p class=\"hint\" id=\"hint-{element}\">{}</p>{}</div>\n",
-            escape(hint),
+            inline(hint),
             self.errors(name)
         )
     }
@@ -375,20 +408,30 @@ impl Writer<'_> {
         let element = id("scene");
         format!(
             "<details class=\"part\" id=\"f-file\"><summary>Scene file</summary>\n<div class=\"field\"><label for=\"{element}\">The scene as a file</label>\
-             <textarea id=\"{element}\" name=\"scene\" rows=\"24\" wrap=\"off\" spellcheck=\"false\" autocapitalize=\"off\" {}>\n{}</textarea>\
+             <textarea id=\"{element}\" name=\"scene\" rows=\"24\" wrap=\"off\" spellcheck=\"false\" autocapitalize=\"off\" {}>{}</textarea>\
              <p class=\"hint\" id=\"hint-{element}\">Balls one by one are only here. What is changed here counts when it is run from here.</p>{}</div>\n\
              <p class=\"go\"><button type=\"submit\" name=\"run\" value=\"file\">Run this file</button></p></details>\n",
             self.described("scene"),
-            escape(self.filled.text),
+            text_of_area(self.filled.text),
             self.errors("scene")
         )
     }
 }
 
+/// Text as it stands in a `textarea`: lines and tabs are part of it.
+fn text_of_area(text: &str) -> String {
+    let marked = text.replace('&', "&amp;").replace('<', "&lt;");
+    // a line break right after the tag is left out by browsers
+    match marked.starts_with('\n') {
+        true => format!("\n{marked}"),
+        false => marked,
+    }
+}
+
 fn hint(field: &Field) -> String {
     match (field.meaning == field.advice, field.advice.is_empty()) {
-        (true, _) | (_, true) => escape(&field.meaning),
-        _ => format!("{}; {}", escape(&field.meaning), escape(&field.advice)),
+        (true, _) | (_, true) => inline(&field.meaning),
+        _ => format!("{}; {}", inline(&field.meaning), inline(&field.advice)),
     }
 }
 
@@ -400,7 +443,7 @@ fn sentence(problem: &Problem) -> String {
     };
     let help = match problem.help.is_empty() {
         true => String::new(),
-        false => format!(" <span class=\"help\">{}</span>", escape(&problem.help)),
+        false => format!(" <span class=\"help\">{}</span>", inline(&problem.help)),
     };
-    format!("<span class=\"place\">{place}</span>{}.{help}", escape(&problem.message))
+    format!("{place}{}.{help}", inline(&problem.message))
 }

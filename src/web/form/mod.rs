@@ -13,7 +13,9 @@ pub use engines::{ENGINE, Engines, MORE, STEP, columns};
 pub use five::{FIVE, Input};
 pub use html::{Filled, html, rules};
 
-use crate::scene::format::{advice, example, keys, kind_of, list, meaning, target, variants, words};
+use crate::scene::format::{
+    advice, example, keys, kind_of, list, meaning, target, variants, words,
+};
 use crate::scene::schema;
 use crate::trace::files::shortest;
 use serde_json::Value as Schema;
@@ -272,7 +274,9 @@ impl Place<'_> {
 
     fn choice(&self, value: Option<&Value>) -> Choice {
         let held = value.and_then(Value::as_table);
-        let whats = list(&self.target["oneOf"]).iter().map(|law| meaning(law, law));
+        let whats = list(&self.target["oneOf"])
+            .iter()
+            .map(|law| meaning(law, law));
         let laws = variants(self.target).into_iter().zip(whats);
         let laws: Vec<Law> = laws
             .map(|((id, schema), what)| {
@@ -290,7 +294,7 @@ impl Place<'_> {
         let chosen = laws.iter().find(stands).map_or(NONE, |law| &law.id);
         Choice {
             path: self.path.clone(),
-            label: self.label(),
+            label: self.title(),
             meaning: self.meaning(),
             chosen: chosen.to_owned(),
             laws,
@@ -302,7 +306,7 @@ impl Place<'_> {
         let held = value.and_then(Value::as_table);
         Choice {
             path: self.path.clone(),
-            label: self.label(),
+            label: self.title(),
             meaning: self.meaning(),
             chosen: held.map_or(NONE, |_| GIVEN).to_owned(),
             laws: vec![Law {
@@ -316,6 +320,14 @@ impl Place<'_> {
 
     fn label(&self) -> String {
         self.key.replace('_', " ")
+    }
+
+    /// The name of a choice begins a line.
+    fn title(&self) -> String {
+        let label = self.label();
+        let mut letters = label.chars();
+        let first = letters.next().map(|first| first.to_ascii_uppercase());
+        first.into_iter().chain(letters).collect()
     }
 
     fn meaning(&self) -> String {
