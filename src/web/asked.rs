@@ -165,7 +165,7 @@ impl Asked {
     /// The engines that run `scene`.
     pub fn columns(&self, scene: &Scene) -> Result<Vec<Column>, Problem> {
         match &self.list {
-            Some(list) => columns(list, scene),
+            Some(list) => columns(list),
             None => self.engines.columns(scene),
         }
     }

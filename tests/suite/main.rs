@@ -25,6 +25,7 @@ mod laws;
 mod missed_collisions;
 mod mutants;
 mod perturb;
+mod play;
 mod precision;
 mod random;
 mod random_inputs;

@@ -91,6 +91,9 @@ impl Engines {
     }
 
     /// The columns that run `scene`. Errors: at the field that is wrong.
+    ///
+    /// An engine that cannot run the scene is an answer, not an error; so is one that refuses a setting, as in `carom compare`. A step
+    /// that an engine does not understand is a mistake at its field.
     pub fn columns(&self, scene: &Scene) -> Result<Vec<Column>, Problem> {
         let ticked = self.boxes.iter().filter(|known| known.ticked);
         let mut columns = Vec::new();
@@ -105,20 +108,28 @@ impl Engines {
             let Some((typed, default)) = typed.zip(default) else {
                 continue;
             };
-            if typed.value.trim() != default.default {
-                column.setting = column.setting.clone().with("dt", typed.value.trim());
+            if typed.value.trim() == default.default {
+                continue;
+            }
+            column.setting = column.setting.clone().with("dt", typed.value.trim());
+            match column.engine.pace(scene, &column.setting) {
+                Err(Refusal::Setting { message }) if message.starts_with("`dt=") => {
+                    let field = format!("{STEP}{id}");
+                    return Err(Problem::at(&field, message, typed.meaning.clone()));
+                }
+                _ => {}
             }
         }
         if !self.more.trim().is_empty() {
             columns.extend(listed(&self.more, MORE)?);
         }
-        checked(columns, scene)
+        counted(columns)
     }
 }
 
-/// The columns of a list as `carom compare --engines` takes it, for `scene`.
-pub fn columns(list: &str, scene: &Scene) -> Result<Vec<Column>, Problem> {
-    checked(plan(&listed(list, "engines")?), scene)
+/// The columns of a list as `carom compare --engines` takes it.
+pub fn columns(list: &str) -> Result<Vec<Column>, Problem> {
+    counted(plan(&listed(list, "engines")?))
 }
 
 fn listed(list: &str, field: &str) -> Result<Vec<Column>, Problem> {
@@ -126,36 +137,19 @@ fn listed(list: &str, field: &str) -> Result<Vec<Column>, Problem> {
     Column::list(list).map_err(|why| Problem::at(field, why, help))
 }
 
-fn checked(columns: Vec<Column>, scene: &Scene) -> Result<Vec<Column>, Problem> {
+/// The same columns, if there are not too many and each is there once.
+fn counted(columns: Vec<Column>) -> Result<Vec<Column>, Problem> {
     if columns.len() > MOST_COLUMNS {
         let message = format!("{} engines are too many for one page", columns.len());
-        return Err(Problem::at(
-            MORE,
-            message,
-            format!("{MOST_COLUMNS} are the most"),
-        ));
+        let help = format!("{MOST_COLUMNS} are the most");
+        return Err(Problem::at(MORE, message, help));
     }
     for (i, column) in columns.iter().enumerate() {
-        if columns[..i]
-            .iter()
-            .any(|known| known.label() == column.label())
-        {
-            let message = format!("`{}` is listed twice", column.label());
-            return Err(Problem::at(
-                MORE,
-                message,
-                "name each engine and setting once",
-            ));
-        }
-        // what an engine cannot simulate is an answer; what it does not understand is a mistake of the form
-        if let Err(Refusal::Setting { message }) = column.engine.pace(scene, &column.setting) {
-            let id = column.engine.id();
-            let of_step = message.starts_with("`dt=");
-            let field = match of_step {
-                true => format!("{STEP}{id}"),
-                false => MORE.to_owned(),
-            };
-            return Err(Problem::at(&field, format!("{id}: {message}"), ""));
+        let label = column.label();
+        if columns[..i].iter().any(|known| known.label() == label) {
+            let message = format!("`{label}` is listed twice");
+            let help = "name each engine and setting once";
+            return Err(Problem::at(MORE, message, help));
         }
     }
     Ok(columns)
