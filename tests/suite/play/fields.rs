@@ -2,6 +2,7 @@
 
 use super::browser::encoded;
 use super::{Never, as_json, drawn_up, errors, get, handle, parsed, post, sent, shot, site, text};
+use carom::math::random::Draws;
 use carom::physics::EFFECTS;
 use carom::scene::{catalogue, parse};
 use carom::web::MOST_BALLS;
@@ -302,13 +303,11 @@ fn a_link_carries_the_whole_scene() {
     }
     assert!(carried > catalogue::all().len() / 2, "{carried} links");
     // what cannot be pressed into a link has none
-    let noise: String = (0..20_000u32)
-        .map(|i| char::from(b'a' + (i.wrapping_mul(2_654_435_761) >> 24) as u8 % 26))
+    let mut draws = Draws::new(8, 1);
+    let noise: String = (0..20_000)
+        .map(|_| char::from(b'a' + draws.between(0.0, 26.0) as u8))
         .collect();
     let long = site().start.replace("The report's shot", &noise);
     let answer = drawn_up(&json!({ "scene": long }));
-    assert_eq!(
-        (answer["toml"].as_str(), &answer["link"]),
-        (Some(long.as_str()), &Value::Null)
-    );
+    assert!(answer["toml"] == long && answer["link"].is_null());
 }
