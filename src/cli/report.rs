@@ -34,7 +34,9 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     );
     let document = validation::study(&scenes, &columns, &prices, watch)?;
     drop(progress);
-    output::write_files(&arguments.out, report::site(&document))?;
+    let files = report::site(&document);
+    let weights = weights(&files);
+    output::write_files(&arguments.out, files)?;
     let printed = terminal::print(
         &report::render(&first_screen(&document), &arguments.format).unwrap_or_default(),
     );
@@ -42,7 +44,24 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
         "Report: {}",
         arguments.out.join("index.html").display()
     ));
+    terminal::say(&weights);
     printed
+}
+
+/// What the pages of a site weigh, in one line.
+fn weights(files: &[(String, String)]) -> String {
+    let pages = files.iter().filter(|(path, _)| path.ends_with(".html"));
+    let kilobytes = |bytes: usize| (bytes as f64 / 1000.0).round();
+    let all: usize = pages.clone().map(|(_, page)| page.len()).sum();
+    let largest = pages.clone().max_by_key(|(_, page)| page.len());
+    let largest = largest.map_or(String::new(), |(path, page)| {
+        format!("; the largest {} kB, {path}", kilobytes(page.len()))
+    });
+    format!(
+        "Pages: {} with {} kB in all{largest}",
+        pages.count(),
+        kilobytes(all)
+    )
 }
 
 /// The first page without its pictures, for a terminal.

@@ -195,6 +195,8 @@ pub enum Style {
     Crosses,
     /// Circles of this radius in the units of the axes, as balls on a table.
     Discs(f64),
+    /// The name of the series, written at each of its points; it has no legend entry.
+    Words,
 }
 
 /// A vertical line with a few words.

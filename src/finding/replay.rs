@@ -8,8 +8,6 @@ use serde::Serialize;
 pub struct Replay {
     /// Name of the scene.
     pub scene: String,
-    /// What the scene is, in its own words.
-    pub title: String,
     /// Longest simulated time that the scene asks for, s.
     pub duration: f64,
     /// Name of the length unit.
@@ -38,6 +36,8 @@ pub struct Replay {
     pub horizon: Option<f64>,
     /// Distance between runs over time.
     pub divergence: Vec<ReplayDivergence>,
+    /// What the replay does not show, in one sentence; empty where it shows all.
+    pub remark: String,
 }
 
 impl Replay {
@@ -48,10 +48,13 @@ impl Replay {
             n => format!("{n} {what}s"),
         };
         format!(
-            "{} in {}; the page of this scene in a report plays them.",
+            "{} in {}; the page of this scene in a report plays them. {}",
             many(self.balls.len(), "ball"),
-            many(self.runs.len(), "run")
+            many(self.runs.len(), "run"),
+            self.remark
         )
+        .trim_end()
+        .to_owned()
     }
 }
 
@@ -79,7 +82,7 @@ pub struct ReplayRun {
     pub reference: bool,
     /// Simulated time at which it ended, s.
     pub end: f64,
-    /// Why it ended, in one sentence.
+    /// Why it ended, in a few words.
     pub ending: String,
     /// What its event times are good to, s.
     pub resolution: f64,

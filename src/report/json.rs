@@ -125,7 +125,7 @@ fn replay(replay: &Replay) -> Value {
     });
     json!({
         "runs": runs.collect::<Vec<_>>(), "partings": partings.collect::<Vec<_>>(),
-        "horizon": replay.horizon.map(number)
+        "horizon": replay.horizon.map(number), "remark": replay.remark
     })
 }
 

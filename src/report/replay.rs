@@ -55,7 +55,7 @@ pub fn data(replay: &Replay) -> String {
     json!({
         "format": FORMAT,
         "scene": {
-            "name": replay.scene, "title": replay.title, "duration": replay.duration,
+            "name": replay.scene, "title": replay.scene, "duration": replay.duration,
             "length_unit": replay.length_unit, "time_unit": replay.time_unit,
             "speed_scale": replay.speed_scale
         },
@@ -69,6 +69,7 @@ pub fn data(replay: &Replay) -> String {
         "partings": partings,
         "horizon": replay.horizon,
         "divergence": divergence,
+        "remark": replay.remark,
     })
     .to_string()
 }

@@ -3,6 +3,7 @@
 use super::path::interpolate;
 use super::{Knot, Path};
 use crate::math::Vec3;
+use std::collections::BTreeSet;
 
 /// By how much a knot that is left out may differ from what the others give.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,27 +16,40 @@ pub struct Tolerance {
     pub spin: f64,
 }
 
+/// Which jumps of a path keep both of their sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jumps {
+    /// Every one.
+    All,
+    /// The first of each event: the further exchanges of a contact may be left out, as if nothing had jumped there.
+    FirstOfEvent,
+}
+
 /// A path with fewer knots. Those of `path` that it lacks are within `tolerance` of its own: position of the cubic, velocity and
 /// spin of the line between two of them.
 ///
-/// Kept are the first and the last knot, both sides of every jump, and the far side of every event. A knot that is not finite
-/// is kept.
-pub fn thin(path: &Path, tolerance: Tolerance) -> Path {
+/// Kept are the first and the last knot, both sides of `jumps`, and the first far side of every event. A knot that is not
+/// finite is kept.
+pub fn thin(path: &Path, tolerance: Tolerance, jumps: Jumps) -> Path {
     let knots = &path.knots;
-    let fixed = |i: usize| {
-        let knot = &knots[i];
-        let twin = |j: Option<usize>| {
-            j.and_then(|j| knots.get(j))
-                .is_none_or(|other| other.time == knot.time)
-        };
-        knot.after.is_some() || twin(i.checked_sub(1)) || twin(Some(i + 1))
-    };
+    let mut fixed = vec![false; knots.len()];
+    let mut seen = BTreeSet::new();
+    for i in 0..knots.len() {
+        let twin = i > 0 && knots[i - 1].time == knots[i].time;
+        let first = knots[i].after.is_some_and(|event| seen.insert(event));
+        let again = knots[i].after.is_some() && !first;
+        let jump = twin && !(again && jumps == Jumps::FirstOfEvent);
+        fixed[i] |= first || jump || i == 0 || i + 1 == knots.len();
+        if jump {
+            fixed[i - 1] = true;
+        }
+    }
     let mut kept = Vec::new();
     let mut start = 0;
     while start < knots.len() {
         // a stretch between two knots that have to be kept
         let end = (start + 1..knots.len())
-            .find(|&i| fixed(i))
+            .find(|&i| fixed[i])
             .unwrap_or(start);
         let inner = stretch(end - start + 1, |a, b| {
             fits(&knots[start + a..=start + b], tolerance)

@@ -4,7 +4,7 @@ import type { Frame, Scatter } from "./frame.ts";
 
 import { outline } from "./outline.ts";
 import { ink, paint } from "./palette.ts";
-import { CUSHION, grow, type Rect, type Stage, WOOD } from "./stage.ts";
+import { CLOTH, CUSHION, grow, type Rect, sights, type Stage, WOOD } from "./stage.ts";
 import { apartness, type Cell, cellAt, cells, type Choice, closeness, ghosts, tables, type View } from "./view.ts";
 
 /** From places on the cloth, R, to places in the picture, CSS px. */
@@ -177,10 +177,14 @@ export class Board implements View {
       [rect.x0, rect.y1],
     ];
     if (stage.table) {
-      fill(box(grow(stage.table, CUSHION + WOOD)), "#5a2b17");
-      fill(outline(grow(stage.table, CUSHION), stage.pockets).points, "#0b4a38");
+      fill(rounded(grow(stage.table, CUSHION + WOOD), 2.4), "#6b3a20");
+      fill(rounded(grow(stage.table, CUSHION + WOOD - 0.3), 2.1), "#5a2f19");
+      fill(outline(grow(stage.table, CUSHION), stage.pockets).points, "#0d5f46");
+      for (const [x, y] of sights(stage.table, stage)) {
+        this.disc(lens, x, y, 0.24, "#efe6d2");
+      }
     }
-    fill(box(stage.cloth), "#12694f");
+    fill(box(stage.cloth), CLOTH);
     for (const { x, y, r } of stage.pockets) {
       this.disc(lens, x, y, r, "#0a0908");
     }
@@ -310,6 +314,22 @@ export class Board implements View {
     pen.globalAlpha = 1;
     pen.setLineDash([]);
   }
+}
+
+/** A rectangle with round corners, as a polygon. */
+function rounded(rect: Rect, r: number): [number, number][] {
+  const corners: [number, number, number][] = [
+    [rect.x1 - r, rect.y1 - r, 0],
+    [rect.x0 + r, rect.y1 - r, 1],
+    [rect.x0 + r, rect.y0 + r, 2],
+    [rect.x1 - r, rect.y0 + r, 3],
+  ];
+  return corners.flatMap(([x, y, quarter]) =>
+    Array.from({ length: 9 }, (_, i): [number, number] => {
+      const angle = ((quarter + i / 8) * Math.PI) / 2;
+      return [x + r * Math.cos(angle), y + r * Math.sin(angle)];
+    }),
+  );
 }
 
 /** Lying tables have y to the right and x down; standing ones x to the right and y up. */

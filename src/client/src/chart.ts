@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import { valueAt } from "./curves.ts";
 import { make, say } from "./dom.ts";
+import { swatch } from "./legend.ts";
 import { short, timeText } from "./numbers.ts";
 import { ink, inkNow } from "./palette.ts";
 
@@ -20,8 +21,9 @@ export interface Content {
 
 export interface ChartFacts {
   title: string;
-  /** What is on the vertical axis, with its unit. */
+  /** What is on the vertical axis, and its unit. */
   axis: string;
+  unit: string;
   timeUnit: string;
   end: number;
   log: boolean;
@@ -34,6 +36,8 @@ export interface ChartFacts {
 }
 
 const HEIGHT = 210;
+/** A unit with more letters stands in the heading: an axis is not long enough. */
+const LONG = 10;
 /** Rows of the table, besides the one for now. */
 const ROWS = 11;
 
@@ -41,6 +45,8 @@ export class Chart {
   readonly element: HTMLElement;
   private readonly host = make("div", { class: "rp-plot" });
   private readonly values = make("p", { class: "rp-values" });
+  private readonly numbers: HTMLElement[] = [];
+  private readonly at = make("span", {});
   private readonly table = make("table", {});
   private readonly data: HTMLDetailsElement;
   private readonly nowLine = make("div", { class: "rp-now-line" });
@@ -57,12 +63,16 @@ export class Chart {
   ) {
     this.data = make("details", {}, make("summary", {}, "Data"), make("div", { class: "rp-scroll", tabindex: 0, role: "region", "aria-label": `${facts.title}, data` }, this.table));
     this.data.addEventListener("toggle", () => this.fill());
-    this.element = make("figure", { class: "rp-chart" }, make("figcaption", {}, make("b", {}, facts.title), ...extra), this.host, this.values, this.data);
+    const unit = facts.unit.length > LONG ? [make("span", { class: "rp-unit" }, `in ${facts.unit}`)] : [];
+    this.element = make("figure", { class: "rp-chart" }, make("figcaption", {}, make("b", {}, facts.title), ...extra, ...unit), this.host, this.values, this.data);
   }
 
   /** Takes other lines. */
   show(content: Content): void {
     this.content = content;
+    const parts = content.lines.map((line) => make("span", { class: "rp-value" }, swatch(line.run), make("span", {})));
+    this.numbers.splice(0, Infinity, ...parts.map((part) => part.lastElementChild as HTMLElement));
+    this.values.replaceChildren(this.at, ...parts);
     this.build();
   }
 
@@ -106,6 +116,7 @@ export class Chart {
       return;
     }
     const style = getComputedStyle(this.element);
+    const long = facts.unit.length > LONG;
     const [inkColour, rule] = [style.getPropertyValue("--rp-soft").trim(), style.getPropertyValue("--rp-rule").trim()];
     const font = `12px ${style.fontFamily}`;
     const axis = { stroke: inkColour, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 5 }, font, labelFont: font, labelSize: 18 };
@@ -113,7 +124,7 @@ export class Chart {
     const low = positive.reduce((least, value) => Math.min(least, value), Infinity);
     const high = positive.reduce((most, value) => Math.max(most, value), 0);
     const decade = (x: number, up: boolean): number => 10 ** (up ? Math.ceil(Math.log10(x) + 0.05) : Math.floor(Math.log10(x)));
-    const range: [number, number] = facts.log ? [decade(Math.max(low, 1e-17), false), decade(Math.max(high, 1e-16), true)] : [0, high * 1.06 || 1];
+    const range: [number, number] = facts.log ? [decade(Math.max(low, 1e-17), false), decade(Math.max(high, 1e-16), true)] : [0, high * 1.16 || 1];
     const options: uPlot.Options = {
       width,
       height: HEIGHT,
@@ -126,7 +137,7 @@ export class Chart {
         { ...axis, label: `time, ${facts.timeUnit}`, size: 34 },
         {
           ...axis,
-          label: facts.axis,
+          label: long ? facts.axis : `${facts.axis}, ${facts.unit}`,
           size: 50,
           ...(facts.log ? { splits: () => decades(range), filter: (_: uPlot, splits: number[]) => splits } : {}),
           values: (_, splits) => splits.map((value) => (facts.log ? `1e${Math.round(Math.log10(value))}`.replace(/^1e0$/, "1") : short(value))),
@@ -260,8 +271,8 @@ export class Chart {
   /** Values at the time shown, in words. */
   private tell(): void {
     const { content, facts } = this;
-    const parts = content.lines.map((line) => `${line.label} ${short(valueAt(content.at, line.values, this.time))}`);
-    say(this.values, parts.length > 0 ? `${timeText(this.time, facts.end)} ${facts.timeUnit}: ${parts.join(" · ")}` : "");
+    say(this.at, content.lines.length > 0 ? `${timeText(this.time, facts.end)} ${facts.timeUnit}:` : "");
+    content.lines.forEach((line, i) => say(this.numbers[i], `${line.label} ${short(valueAt(content.at, line.values, this.time))}`));
     if (this.data.open) {
       this.fill();
     }
@@ -277,8 +288,8 @@ export class Chart {
       make("tr", {}, make("th", { scope: "row", class: "r" }, name), ...content.lines.map((line) => make("td", { class: "r" }, short(valueAt(content.at, line.values, t)))));
     const even = Array.from({ length: ROWS }, (_, i) => (facts.end * i) / (ROWS - 1));
     const shown = facts.growing ? even.filter((t) => t <= this.time) : even;
-    const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, `${line.label}, ${facts.axis}`)));
-    this.table.replaceChildren(make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
+    const head = make("tr", {}, make("th", { scope: "col", class: "r" }, `time, ${facts.timeUnit}`), ...content.lines.map((line) => make("th", { scope: "col", class: "r" }, line.label)));
+    this.table.replaceChildren(make("caption", {}, `${facts.axis}, ${facts.unit}`), make("thead", {}, head), make("tbody", {}, row(this.time, `now: ${timeText(this.time, facts.end)}`), ...shown.map((t) => row(t, timeText(t, facts.end)))));
   }
 }
 

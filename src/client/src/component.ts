@@ -91,6 +91,8 @@ class Replay implements Actions {
   private readonly sizes: ResizeObserver;
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
   private view: View | null = null;
+  /** The table whose graphics were lost. */
+  private waiting: World | null = null;
   /** The parting that is shown, -1 for none. */
   private called = -1;
   private asked = 0;
@@ -150,6 +152,7 @@ class Replay implements Actions {
     this.sizes.disconnect();
     this.plots.destroy();
     this.view?.dispose();
+    this.waiting?.dispose();
     this.view = null;
   }
 
@@ -227,6 +230,8 @@ class Replay implements Actions {
   }
 
   look(camera: Camera): void {
+    this.waiting?.dispose();
+    this.waiting = null;
     const flat = camera === "flat";
     if (flat !== (this.choice.camera === "flat")) {
       this.swap(flat ? new Board(this.stage, this.still) : this.world());
@@ -277,7 +282,7 @@ class Replay implements Actions {
   private readonly still = (): boolean => this.calm.matches;
 
   /** The solid table, or null where the browser has no WebGL. */
-  private world(): View | null {
+  private world(): World | null {
     try {
       return new World(this.stage, this.still, () => this.lost());
     } catch {
@@ -285,32 +290,40 @@ class Replay implements Actions {
     }
   }
 
-  /** The browser took the graphics away: on with the flat picture, and back when it gives them back. */
+  /** The browser took the graphics away: on with the flat picture, and back to the table when it gives them back. */
   private lost(): void {
-    const before = this.view;
-    if (!(before instanceof World)) {
+    const world = this.view;
+    if (!(world instanceof World)) {
       return;
     }
     const { camera } = this.choice;
-    before.canvas.addEventListener("webglcontextrestored", () => {
-      if (this.view instanceof Board && this.choice.camera === "flat") {
-        before.dispose();
-        this.look(camera);
-      }
-    });
+    world.canvas.addEventListener(
+      "webglcontextrestored",
+      () => {
+        if (this.view instanceof Board && this.waiting === world) {
+          this.waiting = null;
+          this.choice.camera = camera;
+          this.swap(world);
+          this.changed();
+        }
+      },
+      { once: true },
+    );
+    this.waiting = world;
     this.choice.camera = "flat";
-    this.swap(new Board(this.stage, this.still), false);
+    this.swap(new Board(this.stage, this.still));
     this.changed();
     this.speak("the graphics were lost: the table is drawn flat");
   }
 
-  private swap(view: View | null, dispose = true): void {
+  /** Shows another view in the place of this one, which goes unless it waits for its graphics. */
+  private swap(view: View | null): void {
     if (!view || !this.view) {
       return;
     }
     const before = this.view;
     before.canvas.replaceWith(view.canvas);
-    if (dispose) {
+    if (before !== this.waiting) {
       before.dispose();
     }
     this.view = view;
@@ -443,8 +456,10 @@ class Replay implements Actions {
   /** Draws in the next frame, once however often it is asked for. */
   private readonly ask = (): void => {
     if (this.asked === 0) {
+      this.element.dataset.pending = "true";
       this.asked = requestAnimationFrame(() => {
         this.asked = 0;
+        this.element.dataset.pending = "false";
         this.draw();
       });
     }
@@ -457,7 +472,7 @@ class Replay implements Actions {
     this.frame.go(this.clock.time);
     this.readout.tell(this.frame, this.choice.solid, this.clock.playing);
     this.element.dataset.drawn = String(this.clock.time);
-    if (this.view.draw(this.frame, this.choice, this.clock.rate * this.clock.base)) {
+    if (this.view.draw(this.frame, this.choice, this.clock.rate * this.clock.base, this.clock.playing)) {
       this.ask();
     }
   }

@@ -18,7 +18,7 @@ export class Controls {
   readonly scrubber: HTMLInputElement;
   private readonly play: HTMLButtonElement;
   private readonly shape: SVGPathElement;
-  private readonly now = make("output", { class: "rp-now" });
+  private readonly now = make("span", { class: "rp-now" });
   private readonly last = make("span", { class: "rp-event" });
   private readonly rates: HTMLSelectElement;
   private readonly jump: HTMLButtonElement | null = null;
@@ -89,13 +89,14 @@ export class Controls {
     this.scrubber.value = String(clock.time);
     this.scrubber.style.setProperty("--rp-part", String(stage.end > 0 ? clock.time / stage.end : 0));
     const passed = eventsUntil(events, clock.time);
-    const line = passed > 0 ? `event ${passed} of ${events.length}: ${words(events[passed - 1])}` : `${events.length} events to come`;
-    say(this.last, line);
+    const line = passed > 0 ? `event ${passed} of ${events.length}: ${words(events[passed - 1])}` : `before the first of ${events.length} events`;
+    const shown = events.length > 0 ? line : "no events";
+    say(this.last, shown);
     // a screen reader that stands on the scrubber hears of the time when it rests, and once a second while it runs
     const now = performance.now();
     if (!clock.playing || now - this.spoken > 1000) {
       this.spoken = now;
-      this.scrubber.setAttribute("aria-valuetext", `${text} ${stage.data.scene.time_unit}, ${line}`);
+      this.scrubber.setAttribute("aria-valuetext", `${text} ${stage.data.scene.time_unit}, ${shown}`);
     }
     const label = clock.playing ? "Pause" : "Play";
     if (this.play.title !== label) {

@@ -3,23 +3,24 @@ import type { Actions } from "./actions.ts";
 import { make } from "./dom.ts";
 import type { Camera, View } from "./view.ts";
 
-const LIST: [string, string][] = [
-  ["Space", "play, pause"],
-  ["← →", "back and on by a hundredth of the shot; with Alt by a thousandth"],
-  [", .", "event before, next event"],
-  ["d", "first divergence, then the next"],
-  ["Home End", "start, end"],
-  ["[ ]", "slower, faster"],
-  ["v", "next camera"],
-  ["t", "trails"],
-  ["Shift + arrows", "turn and tilt the camera"],
-  ["+ − 0", "closer, farther, the whole table"],
-  ["?", "this list"],
+/** Keys, and what they do; keys that are pressed together stand as one. */
+const LIST: [string[], string][] = [
+  [["Space"], "play, pause"],
+  [["←", "→"], "back and on by a hundredth of the shot; with Alt by a thousandth"],
+  [[",", "."], "event before, next event"],
+  [["d"], "first divergence, then the next"],
+  [["Home", "End"], "start, end"],
+  [["[", "]"], "slower, faster"],
+  [["v"], "next camera"],
+  [["t"], "trails"],
+  [["Shift + arrows"], "turn and tilt the camera"],
+  [["+", "−", "0"], "closer, farther, the whole table"],
+  [["?"], "this list"],
 ];
 
 /** The list of keys, closed. */
 export function list(): HTMLDetailsElement {
-  const rows = LIST.map(([key, what]) => make("div", {}, make("dt", {}, ...key.split(" ").map((part) => make("kbd", {}, part))), make("dd", {}, what)));
+  const rows = LIST.map(([keys, what]) => make("div", {}, make("dt", {}, ...keys.map((key) => make("kbd", {}, key))), make("dd", {}, what)));
   return make("details", { class: "rp-keys" }, make("summary", {}, "Keys"), make("dl", {}, ...rows));
 }
 
@@ -48,9 +49,9 @@ export function hear(element: HTMLElement, reach: Reach): void {
 function press(event: KeyboardEvent, reach: Reach): boolean {
   const { actions } = reach;
   const target = event.target as HTMLElement;
-  // lists and buttons keep their own keys
+  // lists, buttons and boxes keep their own keys
   const own = target.closest("select, button, summary, input:not([type=range])");
-  if (own && (event.key === " " || event.key === "Enter" || (event.key.startsWith("Arrow") && own.matches("select, input")))) {
+  if (own && (own.matches("select") || event.key === " " || event.key === "Enter" || (event.key.startsWith("Arrow") && own.matches("input")))) {
     return false;
   }
   const ways: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };

@@ -1,6 +1,7 @@
 // The runs: which are shown, whose balls are solid, how each ended, where it parts from another.
 import type { Actions } from "./actions.ts";
 import { draw, make } from "./dom.ts";
+import type { RunFacts } from "./format.ts";
 import { timeText } from "./numbers.ts";
 import { ink } from "./palette.ts";
 import type { Stage } from "./stage.ts";
@@ -24,7 +25,7 @@ export class Legend {
       this.shown.push(show);
       this.solid.push(solid);
       const name = make("span", { class: "rp-name" }, facts.label, ...(facts.reference ? [make("small", {}, "reference")] : []));
-      const ending = make("span", { class: "rp-ending" }, `${facts.ending}, ${timeText(facts.end, stage.end)} ${unit}`);
+      const ending = make("span", { class: "rp-ending" }, ended(facts, `${timeText(facts.end, stage.end)} ${unit}`));
       const row = make("div", { class: "rp-run" }, make("label", { class: "rp-show" }, show, swatch(index), name));
       if (stage.runs.length > 1) {
         row.append(make("label", { class: "rp-solid" }, solid, "solid"));
@@ -51,6 +52,12 @@ export class Legend {
       this.rows[index].classList.toggle("rp-off", !box.checked);
     });
   }
+}
+
+/** Why a run ended, without its own name in front, and when unless that is said already. */
+function ended(facts: RunFacts, time: string): string {
+  const plain = facts.ending.startsWith(`${facts.engine}: `) ? facts.ending.slice(facts.engine.length + 2) : facts.ending;
+  return /\d/.test(plain) ? plain : `${plain}, ${time}`;
 }
 
 /** A piece of the line by which a run is known in the plots. */

@@ -28,9 +28,10 @@ export class Plots {
   ) {
     const { data, runs, end } = stage;
     const unit = data.scene.time_unit;
-    const facts = (title: string, axis: string, log = false): ChartFacts => ({
+    const facts = (title: string, axis: string, measure: string, log = false): ChartFacts => ({
       title,
       axis,
+      unit: measure,
       log,
       growing,
       timeUnit: unit,
@@ -39,11 +40,11 @@ export class Plots {
       horizon: data.horizon,
       seek: (t) => actions.seek(t),
     });
-    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, `ball ${ball.id}`)));
+    this.ball = make("select", { "aria-label": "Speed of" }, make("option", { value: -1 }, "all balls, rms"), ...data.balls.map((ball, i) => make("option", { value: i }, ball.id === "cue" ? "the cue ball" : `ball ${ball.id}`)));
     this.ball.addEventListener("change", () => actions.follow(Number(this.ball.value)));
-    this.speed = new Chart(facts("Speed", `speed, ${data.scene.length_unit}/${unit}`), make("label", {}, " of ", this.ball));
-    this.energy = new Chart(facts("Kinetic energy", "energy, E0"));
-    this.divergence = data.divergence.some((pair) => pair.points.some(([, d]) => d > 0)) ? new Chart(facts("Distance between engines, worst ball", "distance, R", true)) : null;
+    this.speed = new Chart(facts("Speed", "speed", `${data.scene.length_unit}/${unit}`), make("label", {}, " of ", this.ball));
+    this.energy = new Chart(facts("Kinetic energy", "energy", "E0"));
+    this.divergence = data.divergence.some((pair) => pair.points.some(([, d]) => d > 0)) ? new Chart(facts("Distance between engines, worst ball", "distance", "R", true)) : null;
     this.when = times(data, runs, end);
     this.initial = start(stage);
     for (const chart of this.charts()) {

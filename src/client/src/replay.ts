@@ -1,4 +1,5 @@
-// Entry of the report's pages: every `<script type="application/json" class="replay-data">` within a `<div class="replay">` becomes a replay.
+// Entry of the report's pages: every `<script type="application/json" class="replay-data">` within an element of class `replay`
+// becomes a replay in it. The element may ask for more: data-autoplay, data-growing, data-flat.
 import "./replay.css";
 import { mount } from "./component.ts";
 import type { ReplayData } from "./format.ts";
@@ -7,7 +8,12 @@ function start(): void {
   for (const script of document.querySelectorAll<HTMLScriptElement>("script.replay-data")) {
     const root = script.closest<HTMLElement>(".replay");
     if (root && script.textContent) {
-      mount(root, JSON.parse(script.textContent) as ReplayData);
+      const { autoplay, growing, flat } = root.dataset;
+      mount(root, JSON.parse(script.textContent) as ReplayData, {
+        autoplay: autoplay !== undefined,
+        growing: growing !== undefined,
+        flat: flat !== undefined,
+      });
     }
   }
 }

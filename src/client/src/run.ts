@@ -55,7 +55,7 @@ export function words(event: Event): string {
     case "slide-to-roll":
       return `${event.a} starts to roll`;
     case "spin-end":
-      return `${event.a} stops to spin`;
+      return `${event.a} stops spinning`;
     case "pocket":
       return `${event.a} falls in pocket ${event.b.replace(/^p/, "")}`;
     default:

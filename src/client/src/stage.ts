@@ -37,6 +37,8 @@ export interface Stage {
 export const CUSHION = 1.25;
 export const WOOD = 2.9;
 
+export const CLOTH = "#12694f";
+
 /** A table this many times larger than all that moves on it, and this large in R, is not shown whole. */
 const LOST = 4;
 const LARGE = 90;
@@ -94,4 +96,20 @@ function reach(runs: Run[], radii: Float64Array): { moved: Rect; floor: number }
     return { moved: { x0: -10, y0: -10, x1: 10, y1: 10 }, floor: 0 };
   }
   return { moved, floor: Number.isFinite(floor) ? floor : 0 };
+}
+
+/** Places of the sights on the rails: quarters of the short side, and as far apart on the long one; none where a pocket is. */
+export function sights(edge: Rect, stage: Stage): [number, number][] {
+  const [wide, long] = [edge.x1 - edge.x0, edge.y1 - edge.y0];
+  const gap = Math.min(wide, long) / 4;
+  const out = CUSHION + 0.55 * WOOD;
+  const places: [number, number][] = [];
+  const [nx, ny] = [Math.min(64, Math.round(wide / gap)), Math.min(64, Math.round(long / gap))];
+  for (let i = 1; i < nx; i += 1) {
+    places.push([edge.x0 + (wide * i) / nx, edge.y0 - out], [edge.x0 + (wide * i) / nx, edge.y1 + out]);
+  }
+  for (let i = 1; i < ny; i += 1) {
+    places.push([edge.x0 - out, edge.y0 + (long * i) / ny], [edge.x1 + out, edge.y0 + (long * i) / ny]);
+  }
+  return places.filter(([x, y]) => stage.pockets.every((pocket) => Math.hypot(pocket.x - x, pocket.y - y) > pocket.r + 1.6));
 }

@@ -21,10 +21,9 @@ import {
 } from "three";
 import { outline, type Straight } from "./outline.ts";
 import { polish } from "./polish.ts";
-import { CUSHION, grow, type Rect, type Stage, WOOD } from "./stage.ts";
+import { CLOTH, CUSHION, grow, type Rect, sights, type Stage, WOOD } from "./stage.ts";
 import { weave, wood } from "./surfaces.ts";
 
-export const CLOTH = "#12694f";
 const CUSHION_CLOTH = "#0f6048";
 /** Heights above the cloth, R: where a cushion meets balls, top of the wood. */
 const NOSE = 1.28;
@@ -39,7 +38,7 @@ export function table(stage: Stage): Group {
   group.position.z = stage.floor;
   group.add(cloth(stage));
   if (stage.table) {
-    group.add(cushions(stage.table, stage), frame(stage.table, stage), sights(stage.table, stage));
+    group.add(cushions(stage.table, stage), frame(stage.table, stage), pearls(stage.table, stage));
   }
   for (const pocket of stage.pockets) {
     group.add(...hole(pocket.x, pocket.y, pocket.r));
@@ -178,23 +177,12 @@ function liners(stage: Stage): { x: number; y: number; r: number }[] {
   return stage.pockets.map((pocket) => ({ ...pocket, r: pocket.r + 0.1 }));
 }
 
-/** Sights on the rails: quarters of the short side, and as far apart on the long one. */
-function sights(edge: Rect, stage: Stage): InstancedMesh {
-  const [wide, long] = [edge.x1 - edge.x0, edge.y1 - edge.y0];
-  const gap = Math.min(wide, long) / 4;
-  const out = CUSHION + 0.55 * WOOD;
-  const places: [number, number][] = [];
-  const [nx, ny] = [Math.min(64, Math.round(wide / gap)), Math.min(64, Math.round(long / gap))];
-  for (let i = 1; i < nx; i += 1) {
-    places.push([edge.x0 + (wide * i) / nx, edge.y0 - out], [edge.x0 + (wide * i) / nx, edge.y1 + out]);
-  }
-  for (let i = 1; i < ny; i += 1) {
-    places.push([edge.x0 - out, edge.y0 + (long * i) / ny], [edge.x1 + out, edge.y0 + (long * i) / ny]);
-  }
-  const free = places.filter(([x, y]) => stage.pockets.every((pocket) => Math.hypot(pocket.x - x, pocket.y - y) > pocket.r + 1.6));
-  const mesh = new InstancedMesh(new CircleGeometry(0.26, 4), new MeshLambertMaterial({ color: "#efe6d2" }), Math.max(1, free.length));
-  mesh.count = free.length;
-  free.forEach(([x, y], i) => mesh.setMatrixAt(i, new Matrix4().makeTranslation(x, y, TOP + 0.012)));
+/** Sights of mother-of-pearl in the wood. */
+function pearls(edge: Rect, stage: Stage): InstancedMesh {
+  const places = sights(edge, stage);
+  const mesh = new InstancedMesh(new CircleGeometry(0.26, 4), new MeshLambertMaterial({ color: "#efe6d2" }), Math.max(1, places.length));
+  mesh.count = places.length;
+  places.forEach(([x, y], i) => mesh.setMatrixAt(i, new Matrix4().makeTranslation(x, y, TOP + 0.012)));
   return mesh;
 }
 
@@ -219,7 +207,8 @@ export function leather(stage: Stage): Group {
   const material = new MeshLambertMaterial({ color: "#17130f", side: DoubleSide });
   for (const arc of outline(grow(stage.table, CUSHION), liners(stage)).arcs) {
     const { x, y, r } = arc.pocket;
-    const wall = new Mesh(new CylinderGeometry(r, r, TOP + 1, 40, 1, true, 0, arc.sweep).rotateX(Math.PI / 2), material);
+    // just within the wood, which has the same edge
+    const wall = new Mesh(new CylinderGeometry(0.985 * r, 0.985 * r, TOP + 1, 40, 1, true, 0, arc.sweep).rotateX(Math.PI / 2), material);
     // a cylinder of three starts at its z axis; turned upright, that is -y
     wall.position.set(x, y, (TOP - 1) / 2 + 0.02);
     wall.rotation.z = arc.from + Math.PI / 2;

@@ -24,8 +24,8 @@ export interface Choice {
 /** A way of drawing. */
 export interface View {
   readonly canvas: HTMLCanvasElement;
-  /** Draws; true while the picture is still under way to where it should be. */
-  draw(frame: Frame, choice: Choice, rate: number): boolean;
+  /** Draws; true while the picture is still under way to where it should be. `rate`: scene seconds a second. */
+  draw(frame: Frame, choice: Choice, rate: number, playing: boolean): boolean;
   /** Fits the picture into width x height CSS px. */
   resize(width: number, height: number): void;
   /** The ball at a place of the picture, CSS px; -1 for none. */

@@ -23,9 +23,12 @@ import { type Cell, cellAt, cells, type Choice, ghosts, tables, type View } from
 
 /** Most device pixels a CSS pixel. */
 const SHARPEST = 2;
-/** Frames slower than this, ms, again and again, and the picture is made with fewer pixels. */
+/** Frames slower than this, ms, again and again while it plays, and the picture is made with fewer pixels and without cast shadows;
+ * what takes longer than the second number was a pause. */
 const SLOW = 45;
+const PAUSE = 2000;
 const PATIENCE = 12;
+const COARSE = 0.75;
 
 export class World implements View {
   readonly canvas: HTMLCanvasElement;
@@ -54,7 +57,11 @@ export class World implements View {
     lost: () => void,
   ) {
     this.canvas = document.createElement("canvas");
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    if (!context) {
+      throw new Error("this browser has no WebGL 2");
+    }
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       lost();
@@ -105,15 +112,15 @@ export class World implements View {
   resize(width: number, height: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
-    const sharp = this.slow >= PATIENCE ? 1 : SHARPEST;
-    this.renderer.setPixelRatio(Math.min(sharp, window.devicePixelRatio || 1));
+    const ratio = window.devicePixelRatio || 1;
+    this.renderer.setPixelRatio(this.slow >= PATIENCE ? COARSE * Math.min(1, ratio) : Math.min(SHARPEST, ratio));
     this.renderer.setSize(this.width, this.height, false);
   }
 
-  draw(frame: Frame, choice: Choice, rate: number): boolean {
+  draw(frame: Frame, choice: Choice, rate: number, playing: boolean): boolean {
     const { renderer, camera, eye } = this;
     const now = performance.now();
-    this.watch(now);
+    this.watch(now, playing);
     this.drawn = { frame, choice };
     renderer.setScissorTest(false);
     renderer.clear();
@@ -265,18 +272,16 @@ export class World implements View {
     scene.add(light, light.target);
   }
 
-  /** Saves pixels and shadows where frames come slowly one after another. */
-  private watch(now: number): void {
+  /** Saves pixels and shadows where frames come slowly one after another while it plays. */
+  private watch(now: number, playing: boolean): void {
     const passed = now - this.last;
     this.last = now;
-    if (passed > 400 || this.slow >= PATIENCE) {
+    if (!playing || passed > PAUSE || this.slow >= PATIENCE) {
       return;
     }
     this.slow = passed > SLOW ? this.slow + 1 : Math.max(0, this.slow - 1);
     if (this.slow >= PATIENCE) {
-      this.light.shadow.mapSize.set(1024, 1024);
-      this.light.shadow.map?.dispose();
-      this.light.shadow.map = null;
+      this.light.castShadow = false;
       this.resize(this.width, this.height);
     }
   }

@@ -14,6 +14,12 @@ const LONG: usize = 24;
 /// A figure with more points shows a summary of them here, and all in its CSV file.
 const MOST_POINTS: usize = 300;
 
+/// Largest data of a replay, bytes: with the script and all else a page stays below 1.5 MB.
+const MOST_DATA: usize = 560_000;
+
+/// How the element of a replay begins; no words can, since they are escaped.
+pub const REPLAY: &str = "<div class=\"replay\"";
+
 /// Where a block stands.
 pub struct Place<'a> {
     /// The page.
@@ -24,8 +30,27 @@ pub struct Place<'a> {
     pub in_site: bool,
 }
 
+/// All blocks of a page. A table and a bare picture that follows it stand beside each other where there is room.
+pub fn all(place: &Place) -> String {
+    let blocks = &place.page.document.blocks;
+    let bare =
+        |k: usize| matches!(blocks.get(k), Some(Block::Figure(figure)) if svg::is_bare(figure));
+    let mut html = String::new();
+    for (k, name) in place.page.blocks.iter().enumerate() {
+        let pair = matches!(blocks[k], Block::Table(_)) && bare(k + 1);
+        if pair {
+            html += "<div class=\"beside\">\n";
+        }
+        html += &block(&blocks[k], name, place);
+        if k > 0 && matches!(blocks[k - 1], Block::Table(_)) && bare(k) {
+            html += "</div>\n";
+        }
+    }
+    html
+}
+
 /// One block; `name`: its anchor.
-pub fn block(block: &Block, name: &str, place: &Place) -> String {
+fn block(block: &Block, name: &str, place: &Place) -> String {
     match block {
         Block::Heading(words) => format!("<h2 id=\"{name}\">{}</h2>\n", inline(words)),
         Block::Text(words) => format!("<p>{}</p>\n", inline(words)),
@@ -194,6 +219,10 @@ fn figure(figure: &Figure, name: &str, place: &Place) -> String {
         .map(|remark| format!(" {}", escape(remark)))
         .collect();
     let title = figure.title.trim_end_matches('.');
+    let bare = match svg::is_bare(figure) {
+        true => " class=\"bare\"",
+        false => "",
+    };
     let get = match place.in_site {
         true => format!(
             "<p class=\"note\"><a href=\"{}\">every point as CSV</a> · <a href=\"{}\">picture as SVG</a></p>\n",
@@ -203,7 +232,7 @@ fn figure(figure: &Figure, name: &str, place: &Place) -> String {
         false => String::new(),
     };
     format!(
-        "<figure id=\"{name}\">\n<div class=\"picture\" tabindex=\"0\">{}</div>\n\
+        "<figure id=\"{name}\"{bare}>\n<div class=\"picture\" tabindex=\"0\">{}</div>\n\
          <figcaption><b>{}.</b> {}{remarks}</figcaption>\n\
          <details><summary>Data</summary>\n{}{get}</details>\n</figure>\n",
         drawing.svg,
@@ -291,12 +320,24 @@ fn line(series: &str, numbers: &[String]) -> String {
     )
 }
 
-/// The place where the script mounts a replay, and its data. Hidden until then; without scripts the pictures stand.
+/// The place where the script mounts a replay, and its data; until then, and on paper, a sentence stands there.
 fn replay(replay: &Replay, name: &str) -> String {
+    let data = replay_data(replay);
+    if data.len() > MOST_DATA {
+        return format!(
+            "<p id=\"{name}\">There is no replay: its {} kB of knots and events are too many for a page.</p>\n",
+            data.len() / 1000
+        );
+    }
+    let remark = match replay.remark.as_str() {
+        "" => String::new(),
+        words => format!("<p class=\"note\">{}</p>\n", inline(words)),
+    };
     format!(
-        "<div class=\"replay\" id=\"{name}\" hidden>\n<script type=\"application/json\" class=\"replay-data\">{}</script>\n</div>\n\
-         <noscript><p class=\"note\">With scripts this page plays the shot in every engine. The pictures show the same.</p></noscript>\n",
-        inert(&replay_data(replay))
+        "{REPLAY} id=\"{name}\">\n<script type=\"application/json\" class=\"replay-data\">{}</script>\n\
+         <p class=\"replay-static note\">Where scripts may run, this page plays the shot in every engine. The pictures below show \
+         the same.</p>\n</div>\n{remark}",
+        inert(&data)
     )
 }
 

@@ -1,25 +1,21 @@
 //! An offline site: `index.html` and one file a page, which ask nothing of any other place.
 //!
-//! No script, no font, no picture from elsewhere: the policy in every page forbids it. All words are escaped, whatever the
-//! ids of a scene are.
+//! No script, no font, no picture from elsewhere: the policy in every page forbids it, and lets run only the script that plays a
+//! replay, where there is one. All words are escaped, whatever the ids of a scene are.
 
 mod blocks;
+mod policy;
 
 pub use blocks::inline;
 
 use super::names::{Page, Pages};
-use super::svg::{self, escape};
+use super::svg::escape;
 use crate::finding::{Block, Cell, Document};
 use blocks::Place;
-
-/// Sheet of the whole site, in every page.
-const STYLE: &str = include_str!("style.css");
+use policy::Shell;
 
 /// What the first page is called where its title would be too long.
 const HOME: &str = "carom";
-
-/// What a page may load: nothing but its own style and the pictures within it.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
 
 /// Every page with its path: those below first, `index.html` last.
 pub fn write(document: &Document) -> Vec<(String, String)> {
@@ -39,16 +35,12 @@ pub fn fragment(document: &Document) -> String {
         pages: &pages,
         in_site: false,
     };
-    let blocks = document.blocks.iter().zip(&page.blocks);
-    let blocks: String = blocks
-        .map(|(block, name)| blocks::block(block, name, &place))
-        .collect();
-    lead(document) + &blocks
+    lead(document) + &blocks::all(&place)
 }
 
 /// The sheet of every page and of [`fragment`].
 pub fn style() -> String {
-    format!("{STYLE}{}", svg::STYLE)
+    policy::sheet()
 }
 
 fn lead(document: &Document) -> String {
@@ -101,26 +93,27 @@ fn page(pages: &Pages, index: usize) -> String {
         )
     };
     let contents = contents(page);
+    let blocks = blocks::all(&place);
+    let shell = Shell::of(blocks.contains(blocks::REPLAY));
     let mut html = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
-         <link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n\
+         <link rel=\"icon\" href=\"data:,\">\n{}\n</head>\n<body>\n\
          <a class=\"skip\" href=\"#main\">To the contents</a>\n<div class=\"shell{}\">\n",
-        style(),
+        shell.policy,
+        shell.style,
         if contents.is_empty() { "" } else { " has-toc" }
     );
     html += &bar(pages, index);
     html += &contents;
     html += &format!("<main id=\"main\">\n<h1>{}</h1>\n", escape(&document.title));
     html += &lead(document);
-    for (block, name) in document.blocks.iter().zip(&page.blocks) {
-        html += &blocks::block(block, name, &place);
-    }
+    html += &blocks;
     html += &unlinked(pages, index);
     html += &turn(pages, index);
-    html + "</main>\n</div>\n</body>\n</html>\n"
+    html + "</main>\n</div>\n" + &shell.script + "</body>\n</html>\n"
 }
 
 /// Where a reader is, and what else there is.

@@ -4,6 +4,7 @@
 //! apart; every series also has its own dashes or its own kind of point. Colours and fonts are style, which a page holds
 //! once ([`STYLE`]), so that a picture follows the page into the dark and onto paper.
 
+mod bare;
 mod frame;
 mod legend;
 mod marks;
@@ -32,6 +33,9 @@ pub struct Drawing {
 
 /// A picture for a page that holds [`STYLE`]. `anchor`: a name that is unique in the page.
 pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
+    if is_bare(figure) {
+        return bare::draw(figure, anchor);
+    }
     let frame = frame::Frame::of(figure);
     let (width, height) = (frame.width, frame.height);
     let words = |words: &str| escape(words);
@@ -51,6 +55,11 @@ pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
         svg,
         remarks: remarks(figure, &frame),
     }
+}
+
+/// True for a picture of places whose axes have no names: it has none then, since it is no map of one place.
+pub fn is_bare(figure: &Figure) -> bool {
+    figure.equal_scale && figure.x.label.is_empty() && figure.y.label.is_empty()
 }
 
 /// A picture that stands alone in a file.
@@ -91,7 +100,8 @@ pub fn thumbnail(figure: &Figure) -> String {
 fn names(figure: &Figure) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for series in &figure.series {
-        if !series.name.is_empty() && !names.contains(&series.name.as_str()) {
+        let written = matches!(series.style, Style::Words);
+        if !written && !series.name.is_empty() && !names.contains(&series.name.as_str()) {
             names.push(&series.name);
         }
     }
@@ -112,12 +122,14 @@ fn described(figure: &Figure) -> String {
             if axis.log { ", logarithmic" } else { "" }
         )
     };
-    let mut text = format!(
-        "{} Vertical: {}. Horizontal: {}.",
-        figure.caption,
-        axis(&figure.y),
-        axis(&figure.x)
-    );
+    let mut text = figure.caption.clone();
+    if !is_bare(figure) {
+        text += &format!(
+            " Vertical: {}. Horizontal: {}.",
+            axis(&figure.y),
+            axis(&figure.x)
+        );
+    }
     let names = names(figure);
     if !names.is_empty() {
         text += &format!(" Series: {}.", names.join(", "));

@@ -1,7 +1,7 @@
 //! Curves, points and balls.
 
 use super::simplify::{self, Place};
-use super::{Plane, names, px};
+use super::{Plane, escape, names, px};
 use crate::finding::{Figure, Series, Style};
 
 /// Colours that the style sheet has.
@@ -202,6 +202,7 @@ pub fn drawn(figure: &Figure, plane: &Plane, pen: &Pen) -> String {
             Style::Rings => warnings(series, plane, pen, ring),
             Style::Crosses => warnings(series, plane, pen, cross),
             Style::Discs(radius) => discs(series, plane, radius),
+            Style::Words => words(series, plane),
         };
         if !content.is_empty() {
             svg += &format!("<g class=\"{}\">{content}</g>", look.class());
@@ -312,6 +313,19 @@ pub fn ring((x, y): Place, r: f64) -> String {
         px(y),
         px(r)
     )
+}
+
+/// The name of the series, its middle at each point.
+fn words(series: &Series, plane: &Plane) -> String {
+    let written = places(series, plane).into_iter().map(|(x, y)| {
+        format!(
+            "<text class=\"a h\" x=\"{}\" y=\"{}\">{}</text>",
+            px(x),
+            px(y + 4.5),
+            escape(&series.name)
+        )
+    });
+    written.collect()
 }
 
 /// A large cross.

@@ -6,6 +6,7 @@
 mod causes;
 mod figures;
 mod page;
+mod parting;
 mod replay;
 mod scale;
 mod tables;

@@ -2,11 +2,11 @@
 
 use super::scale::{LengthUnit, Scale};
 use super::tables::{
-    attribution_table, ball_table, comparison_table, event_table, first_differences, pair_table,
-    sanity_table, settings, sheet,
+    attribution_table, ball_table, comparison_table, divergence_table, event_table,
+    first_differences, pair_table, sanity_table, settings, sheet,
 };
 use super::words::{describe_ending, describe_horizon, describe_scene};
-use super::{Outcome, PairOutcome, Standing, figures, replay};
+use super::{Outcome, PairOutcome, Standing, figures, parting, replay};
 use crate::finding::{Block, Cell, Document};
 
 /// What the terminal shows of one scene.
@@ -34,11 +34,18 @@ pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
 /// The page of one scene in a report.
 pub fn page(outcome: &Outcome) -> Document {
     let scale = Scale::new(outcome, LengthUnit::Radius);
-    let mut document = summary(outcome, LengthUnit::Radius);
-    document
-        .blocks
-        .insert(0, Block::Text(outcome.scene.description.clone()));
-    let blocks = &mut document.blocks;
+    let summary = summary(outcome, LengthUnit::Radius);
+    // the first screen: what differs, where it begins, and the shot itself
+    let first = divergence_table(outcome, &scale).or_else(|| pair_table(outcome, &scale));
+    let mut blocks: Vec<Block> = first.into_iter().map(Block::Table).collect();
+    blocks.extend(parting::first_parting(outcome).map(Block::Figure));
+    blocks.push(match replay(outcome) {
+        Ok(replay) => Block::Replay(Box::new(replay)),
+        Err(why) => Block::Text(format!("There is no replay: {why}.")),
+    });
+    blocks.push(Block::Heading("The scene".to_owned()));
+    blocks.push(Block::Text(outcome.scene.description.clone()));
+    blocks.extend(summary.blocks);
     blocks.push(Block::Heading("Pictures".to_owned()));
     blocks.extend(
         outcome
@@ -47,10 +54,6 @@ pub fn page(outcome: &Outcome) -> Document {
             .filter_map(|entry| figures::paths(outcome, entry))
             .map(Block::Figure),
     );
-    blocks.push(match replay(outcome) {
-        Ok(replay) => Block::Replay(Box::new(replay)),
-        Err(why) => Block::Text(format!("There is no replay: {why}.")),
-    });
     blocks.push(Block::Figure(figures::cue_speed(outcome)));
     blocks.push(Block::Figure(figures::rms_speed(outcome)));
     blocks.extend(figures::divergence(outcome).map(Block::Figure));
@@ -69,7 +72,7 @@ pub fn page(outcome: &Outcome) -> Document {
         let line = format!("carom {command} {}", outcome.scene.name);
         blocks.push(Block::Command(line));
     }
-    document
+    Document { blocks, ..summary }
 }
 
 /// The picture of a scene for a table of scenes.
@@ -109,7 +112,7 @@ pub fn headline(outcome: &Outcome) -> String {
 }
 
 /// `a`, `a and b`, `a, b and c`.
-fn listed(words: &[String]) -> String {
+pub(super) fn listed(words: &[String]) -> String {
     match words {
         [] => String::new(),
         [one] => one.clone(),

@@ -1,10 +1,10 @@
 //! The replay of a comparison: the knots of every run that did not refuse, and where they part.
 
-use super::words::{describe_ending, describe_event};
+use super::words::{self, describe_event};
 use super::{Entry, Outcome, Standing};
 use crate::finding::{Replay, ReplayBall, ReplayDivergence, ReplayEvent, ReplayParting, ReplayRun};
 use crate::scene::Scene;
-use crate::trace::thin::{self, Tolerance};
+use crate::trace::thin::{self, Jumps, Tolerance};
 use crate::trace::{EventKind, Path, Trace};
 
 /// What a knot may be off before it is kept, in R and the largest initial speed. A pixel of the report's table, drawn 2000 px long, is
@@ -14,11 +14,14 @@ pub const TOLERANCE: f64 = 1e-3;
 /// Where there are too many knots, the tolerance doubles up to this, in R: still below that pixel.
 pub const COARSEST: f64 = 0.032;
 
-/// Numbers in all knots of a replay at most. A number takes up to 16/3 bytes of a page.
+/// Numbers in all knots of a replay at most: most of them take less than 3 bytes of a page, none more than 16/3.
 const MOST_NUMBERS: usize = 130_000;
 
-/// Events of all runs at most.
-const MOST_EVENTS: usize = 12_000;
+/// Events of all runs at most: one takes some 50 bytes of a page.
+const MOST_EVENTS: usize = 4_000;
+
+/// Relative spacing of the numbers in which a browser is told times.
+const ULP: f64 = f32::EPSILON as f64;
 
 /// Balls at most: more cannot be told apart in a picture.
 const MOST_BALLS: usize = 2_000;
@@ -52,15 +55,23 @@ pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
         ));
     }
     let units = Units::of(scene);
-    let (tolerance, paths) = thinned(&units, scene, traces().collect())?;
-    let runs = ran.iter().zip(paths).filter_map(|(&i, paths)| {
+    let end = traces().map(|trace| trace.end_time).fold(0.0, f64::max);
+    if end * ULP * units.speed > COARSEST * units.radius {
+        return Err(format!(
+            "at {end:e} s the clock of a picture is too coarse for the speed of the balls"
+        ));
+    }
+    let traces: Vec<&Trace> = traces().collect();
+    let thinned = thinned(&units, scene, &traces)?;
+    let jumps: Vec<Jumps> = thinned.iter().map(|run| run.jumps).collect();
+    let runs = ran.iter().zip(thinned).filter_map(|(&i, thinned)| {
         let entry = &outcome.entries[i];
-        run(entry, outcome.reference == Some(i), paths, tolerance)
+        run(entry, outcome.reference == Some(i), thinned)
     });
+    let runs: Vec<ReplayRun> = runs.collect();
     let place = |i: usize| ran.iter().position(|&known| known == i);
     Ok(Replay {
         scene: scene.name.clone(),
-        title: scene.description.clone(),
         duration: scene.duration,
         length_unit: scene.units.length.clone(),
         time_unit: scene.units.time.clone(),
@@ -76,7 +87,8 @@ pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
             .collect(),
         rotates: scene.effects.rotates(),
         balls: balls(scene),
-        runs: runs.collect(),
+        remark: remark(&runs, &jumps),
+        runs,
         partings: partings(outcome, place),
         horizon: outcome
             .horizon
@@ -128,44 +140,91 @@ fn balls(scene: &Scene) -> Vec<ReplayBall> {
     scene.balls.iter().enumerate().map(ball).collect()
 }
 
-/// The paths of every run with few enough knots, and the tolerance that this took, R.
-fn thinned(
-    units: &Units,
-    scene: &Scene,
-    traces: Vec<&Trace>,
-) -> Result<(f64, Vec<Vec<Path>>), String> {
-    let columns = if scene.effects.rotates() { 10 } else { 7 };
-    let mut tolerance = TOLERANCE;
-    loop {
+/// One run's paths with fewer knots, and what they are held to.
+struct Thinned {
+    paths: Vec<Path>,
+    /// R.
+    tolerance: f64,
+    jumps: Jumps,
+}
+
+impl Thinned {
+    fn of(trace: &Trace, units: &Units, tolerance: f64, jumps: Jumps) -> Self {
+        // where further exchanges are left out there is no speed to be held to
+        let of_speeds = match jumps {
+            Jumps::All => tolerance,
+            Jumps::FirstOfEvent => f64::INFINITY,
+        };
         let bounds = Tolerance {
             position: tolerance * units.radius,
-            velocity: tolerance * units.speed,
-            spin: tolerance * units.speed / units.radius,
+            velocity: of_speeds * units.speed,
+            spin: of_speeds * units.speed / units.radius,
         };
-        let thin = |trace: &&Trace| -> Vec<Path> {
-            trace
-                .paths
-                .iter()
-                .map(|path| thin::thin(path, bounds))
-                .collect()
-        };
-        let runs: Vec<Vec<Path>> = traces.iter().map(thin).collect();
-        let knots: usize = runs.iter().flatten().map(|path| path.knots.len()).sum();
-        if knots * columns <= MOST_NUMBERS {
-            return Ok((tolerance, runs));
+        let thin = |path: &Path| thin::thin(path, bounds, jumps);
+        Thinned {
+            paths: trace.paths.iter().map(thin).collect(),
+            tolerance,
+            jumps,
         }
-        tolerance *= 2.0;
-        if tolerance > COARSEST {
-            return Err(format!(
-                "{knots} knots of all engines, as few as a picture allows, are too many for a page"
-            ));
+    }
+
+    fn knots(&self) -> usize {
+        self.paths.iter().map(|path| path.knots.len()).sum()
+    }
+
+    /// With the next coarser bounds; `None` at the end of what a picture allows.
+    fn coarser(&self, trace: &Trace, units: &Units) -> Option<Self> {
+        let tolerance = 2.0 * self.tolerance;
+        match self.jumps {
+            _ if tolerance <= COARSEST => Some(Thinned::of(trace, units, tolerance, self.jumps)),
+            Jumps::All => Some(Thinned::of(trace, units, TOLERANCE, Jumps::FirstOfEvent)),
+            Jumps::FirstOfEvent => None,
         }
     }
 }
 
-fn run(entry: &Entry, reference: bool, paths: Vec<Path>, tolerance: f64) -> Option<ReplayRun> {
+/// The paths of every run with few enough knots in all. Errors: there are too many however few a picture allows.
+fn thinned(units: &Units, scene: &Scene, traces: &[&Trace]) -> Result<Vec<Thinned>, String> {
+    let columns = if scene.effects.rotates() { 10 } else { 7 };
+    let first = |trace: &&Trace| Thinned::of(trace, units, TOLERANCE, Jumps::All);
+    let mut runs: Vec<Thinned> = traces.iter().map(first).collect();
+    loop {
+        let knots: usize = runs.iter().map(Thinned::knots).sum();
+        if knots * columns <= MOST_NUMBERS {
+            return Ok(runs);
+        }
+        // the largest run goes one step coarser; if it cannot, nor would the others help
+        let largest = (0..runs.len()).max_by_key(|&i| runs[i].knots());
+        let next = largest.and_then(|i| Some((i, runs[i].coarser(traces[i], units)?)));
+        let Some((i, next)) = next else {
+            return Err(format!(
+                "{knots} knots, as few as a picture allows, are too many for a page"
+            ));
+        };
+        runs[i] = next;
+    }
+}
+
+/// What the runs do not show.
+fn remark(runs: &[ReplayRun], thinned: &[Jumps]) -> String {
+    let partly = runs.iter().zip(thinned);
+    let partly: Vec<String> = partly
+        .filter(|(_, jumps)| **jumps == Jumps::FirstOfEvent)
+        .map(|(run, _)| format!("{} (to {} R)", run.label, run.tolerance))
+        .collect();
+    if partly.is_empty() {
+        return String::new();
+    }
+    format!(
+        "In {} balls that stay in contact hit each other again and again: the replay shows where they are, but of their speeds only \
+         some.",
+        super::page::listed(&partly)
+    )
+}
+
+fn run(entry: &Entry, reference: bool, thinned: Thinned) -> Option<ReplayRun> {
     let trace = entry.trace()?;
-    let count = |paths: &[Path]| paths.iter().map(|path| path.knots.len()).sum::<usize>();
+    let all: usize = trace.paths.iter().map(|path| path.knots.len()).sum();
     let event = |event: &crate::trace::Event| {
         let (a, b) = event.kind.parties(|ball| &trace.balls[ball]);
         ReplayEvent {
@@ -180,17 +239,17 @@ fn run(entry: &Entry, reference: bool, paths: Vec<Path>, tolerance: f64) -> Opti
         engine: entry.column.engine.id().to_owned(),
         reference,
         end: trace.end_time,
-        ending: describe_ending(trace),
+        ending: words::ending(trace),
         resolution: trace.provenance.resolution,
         events: trace.events.iter().map(event).collect(),
-        left_out: count(&trace.paths) - count(&paths),
-        paths,
-        tolerance,
+        left_out: all - thinned.knots(),
+        tolerance: thinned.tolerance,
+        paths: thinned.paths,
     })
 }
 
 /// Every two runs that are held against each other: all against the reference, or all pairs without one.
-fn held<'a>(outcome: &'a Outcome) -> Vec<(usize, usize, &'a Standing)> {
+pub(super) fn held(outcome: &Outcome) -> Vec<(usize, usize, &Standing)> {
     match outcome.reference {
         Some(reference) => {
             let entries = outcome.entries.iter().enumerate();

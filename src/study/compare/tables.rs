@@ -3,8 +3,63 @@
 use super::scale::Scale;
 use super::words::{describe_ending, describe_event, describe_order, describe_span};
 use super::{Entry, Outcome, Standing, figures, pair_label};
+use crate::compare::Order;
 use crate::engine::{Parameter, Role};
 use crate::finding::{Cell, Column, Table};
+
+/// Where and by how much each engine leaves the reference, or without one each pair parts; for the first screen of a page.
+pub fn divergence_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
+    let (who, note) = match outcome.reference {
+        Some(_) => ("engine", "Against the exact solution."),
+        None => ("pair", "Out of the second engine's collisions."),
+    };
+    let columns = vec![
+        Column::words("engine", who),
+        Column::words("part", "parts at"),
+        Column::words("order-strict", "order"),
+        Column::number("stop-time", "stop time, worst (ball)", "s"),
+        Column::number(
+            "final-position",
+            "final position, worst (ball)",
+            &scale.unit,
+        ),
+    ];
+    let row = |label: String, order: &Order| {
+        vec![
+            Cell::text(label.clone()),
+            Cell::text(part(order)),
+            Cell::text(describe_order(order, order.strict)),
+            owned(outcome.worst(&label, "stop-time")),
+            scale.owned(outcome.worst(&label, "final-position")),
+        ]
+    };
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for entry in &outcome.entries {
+        rows.extend(entry.standing.iter().map(|s| row(entry.label(), &s.order)));
+    }
+    if outcome.reference.is_none() {
+        for pair in &outcome.pairs {
+            let (a, b) = pair.entries;
+            let label = pair_label(&outcome.entries[a], &outcome.entries[b]);
+            rows.push(row(label, &pair.standing.order));
+        }
+    }
+    (!rows.is_empty()).then(|| Table {
+        id: "divergences".to_owned(),
+        title: String::new(),
+        columns,
+        rows,
+        note: format!("{note} Order: collisions that agree from the start; R: smallest radius."),
+    })
+}
+
+/// Where two orders part, in words.
+fn part(order: &Order) -> String {
+    match &order.parting {
+        Some(parting) => format!("event {}, {:.4} s", parting.index + 1, parting.time()),
+        None => "never".to_owned(),
+    }
+}
 
 /// The main table: one row an engine.
 pub fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
@@ -209,17 +264,13 @@ pub fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
             &outcome.entries[pair.entries.1],
         );
         let order = &pair.standing.order;
-        let part = match &order.parting {
-            Some(parting) => format!("event {}, {:.4} s", parting.index + 1, parting.time()),
-            None => "never".to_owned(),
-        };
         rows.push(vec![
             Cell::text(label.clone()),
             owned(outcome.worst(&label, "stop-time")),
             scale.owned(outcome.worst(&label, "final-position")),
             Cell::text(describe_order(order, order.strict)),
             Cell::text(describe_order(order, order.tolerant)),
-            Cell::text(part),
+            Cell::text(part(order)),
         ]);
     }
     (!rows.is_empty()).then(|| Table {

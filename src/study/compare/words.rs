@@ -79,6 +79,16 @@ pub fn describe_ending(trace: &Trace) -> String {
     }
 }
 
+/// Why a run ended, in a few words beside its name and time: `everything at rest`, `indeterminate: ...`.
+pub fn ending(trace: &Trace) -> String {
+    match (&trace.ending, trace.ending.spot()) {
+        (ending, Some(spot)) => format!("{}: {}", ending.id(), spot.why),
+        (Ending::Rest, None) => "everything at rest".to_owned(),
+        (Ending::Duration, None) => "the scene asks for no more".to_owned(),
+        (ending, None) => format!("ended early: {}", ending.id()),
+    }
+}
+
 /// `whole shot, growth 812 x`, or `event 51 of 115, t = 10.2776 s, growth 1.7e17 x`.
 pub fn describe_horizon(horizon: &Horizon) -> String {
     let reach = if horizon.is_whole() {

@@ -39,13 +39,16 @@ pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> Vec<Block>
     }
 }
 
-/// Puts blocks before the first table of a page, where its reader looks for the right answer.
+/// Puts blocks before the first table that follows a text, which says whether there is a right answer.
 pub fn surround(page: &mut Document, blocks: Vec<Block>) {
-    let tables = page
-        .blocks
-        .iter()
-        .position(|b| matches!(b, Block::Table(_)));
-    let at = tables.unwrap_or(page.blocks.len());
+    let find = |from: usize, wanted: fn(&Block) -> bool| {
+        let rest = page.blocks.iter().skip(from);
+        rest.enumerate()
+            .find_map(|(k, block)| wanted(block).then_some(from + k))
+            .unwrap_or(page.blocks.len())
+    };
+    let text = find(0, |block| matches!(block, Block::Text(_)));
+    let at = find(text, |block| matches!(block, Block::Table(_)));
     page.blocks.splice(at..at, blocks);
 }
 

@@ -360,7 +360,6 @@ fn words_never_become_markup() {
                 let run = &mut replay.runs[0];
                 for text in [
                     &mut replay.scene,
-                    &mut replay.title,
                     &mut replay.length_unit,
                     &mut replay.balls[0].id,
                     &mut run.label,
