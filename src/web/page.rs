@@ -7,28 +7,26 @@ use super::{Site, Turns, form, shot, start};
 use crate::report::html;
 use crate::report::svg::escape;
 use crate::scene::catalogue;
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-use sha2::{Digest, Sha256};
 use std::sync::LazyLock;
 
 /// The script, built from `src/client`.
-const SCRIPT: &str = include_str!("../client/dist/live.js");
+static SCRIPT: LazyLock<String> =
+    LazyLock::new(|| html::embeddable(include_str!("../client/dist/live.js")));
 
 /// The sheet, built from `src/client`.
 const SHEET: &str = include_str!("../client/dist/live.css");
 
 /// The sheet of the page: the report's, the page's own, and the rules that show the keys of chosen laws.
-static STYLE: LazyLock<String> = LazyLock::new(|| html::style() + SHEET + &form::rules());
+static STYLE: LazyLock<String> =
+    LazyLock::new(|| html::embeddable(&(html::style() + SHEET + &form::rules())));
 
 /// What the page may do: its own style and script, and to ask this server.
 static POLICY: LazyLock<String> = LazyLock::new(|| {
-    let hash = |text: &str| STANDARD.encode(Sha256::digest(text.as_bytes()));
     format!(
-        "default-src 'none'; script-src 'sha256-{}'; style-src 'sha256-{}'; img-src data:; connect-src 'self'; \
+        "default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; connect-src 'self'; \
          form-action 'self'; base-uri 'none'; frame-ancestors 'none'",
-        hash(SCRIPT),
-        hash(&STYLE)
+        html::hash(&SCRIPT),
+        html::hash(&STYLE)
     )
 });
 
@@ -88,8 +86,9 @@ fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
          <div class=\"tools\" id=\"tools\">{link}</div>\n\
          <p class=\"status\" id=\"status\" role=\"status\"></p>\n\
          <div class=\"replay\" id=\"replay\">{picture}</div>\n\
-         <div id=\"answer\">{answer}</div>\n</section>\n</main>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+         <div id=\"answer\">{answer}</div>\n</section>\n</main>\n<script>{script}</script>\n</body>\n</html>\n",
         style = STYLE.as_str(),
+        script = SCRIPT.as_str(),
         picker = picker(&name),
         form = shot::form_of(asked, drawn),
         link = link_to(drawn),

@@ -7,6 +7,7 @@ mod blocks;
 mod policy;
 
 pub use blocks::inline;
+pub use policy::{embeddable, hash};
 
 use super::names::{Page, Pages};
 use super::svg::escape;
