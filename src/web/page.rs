@@ -3,6 +3,7 @@
 use super::asked::{Asked, Drawn};
 use super::encoding::link;
 use super::wire::Response;
+use super::form::is_changed;
 use super::{Site, Turns, form, shot, start};
 use crate::report::html;
 use crate::report::svg::escape;
@@ -85,6 +86,7 @@ fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
          <section class=\"stage\" aria-label=\"Replay and comparison\">\n\
          <div class=\"tools\" id=\"tools\">{link}</div>\n\
          <p class=\"status\" id=\"status\" role=\"status\"></p>\n\
+         <p class=\"lead\" id=\"lead\" role=\"status\"></p>\n\
          <div class=\"replay\" id=\"replay\">{picture}</div>\n\
          <div id=\"answer\">{answer}</div>\n</section>\n</main>\n<script>{script}</script>\n</body>\n</html>\n",
         style = STYLE.as_str(),
@@ -100,7 +102,8 @@ fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
 /// A list of the scenes that come with the program.
 fn picker(name: &str) -> String {
     let option = |entry: &catalogue::Entry| {
-        let selected = if entry.name == name { " selected" } else { "" };
+        let of_it = entry.name == name || is_changed(name, entry.name);
+        let selected = if of_it { " selected" } else { "" };
         format!("<option{selected}>{}</option>", entry.name)
     };
     let options: String = catalogue::all().iter().map(option).collect();

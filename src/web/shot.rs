@@ -78,18 +78,25 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
     };
     // the document is written once and by one writer: byte for byte that of the command line
     let body = format!(
-        "{{\"name\":{},\"toml\":{},\"form\":{},\"link\":{},\"notice\":{},\"html\":{},\"no_replay\":{},\"document\":{},\"replay\":{}}}",
+        "{{\"name\":{},\"toml\":{},\"form\":{},\"link\":{},\"notice\":{},\"command\":{},\"html\":{},\"no_replay\":{},\"document\":{},\"replay\":{}}}",
         json!(drawn.name()),
         json!(drawn.text),
         json!(form_of(asked, &drawn)),
         json!(link(&drawn.text)),
         json!(shot.notice),
+        json!(command(&drawn, &shot)),
         json!(html::fragment(&summary)),
         json!(why),
         json::write(&summary).trim_end(),
         replay
     );
     Response::json(200, body)
+}
+
+/// The command that prints the same numbers of the saved scene.
+fn command(drawn: &Drawn, shot: &Shot) -> String {
+    let columns = shot.answer.outcome.entries.iter().map(|entry| &entry.column);
+    format!("carom compare {}.toml{}", drawn.name(), form::as_argument(columns))
 }
 
 /// The answer that runs nothing: the scene as a file, its form, a link to it; or what is wrong with it, which is an answer as well.

@@ -29,6 +29,8 @@ interface Drawn {
 /** The same, run. */
 interface Shot extends Drawn {
   notice: string;
+  /** The command that prints the same numbers of the saved scene. */
+  command: string;
   html: string;
   no_replay: string;
   replay: ReplayData | null;
@@ -58,6 +60,7 @@ class Live {
   private readonly form = need<HTMLFormElement>("#shot");
   private readonly tools = need<HTMLElement>("#tools");
   private readonly status = need<HTMLElement>("#status");
+  private readonly lead = need<HTMLElement>("#lead");
   private readonly stage = need<HTMLElement>("#replay");
   private readonly answer = need<HTMLElement>("#answer");
   private readonly name = need<HTMLElement>("#name");
@@ -191,16 +194,20 @@ class Live {
     }
     const notice = shot.notice ? `<p class="notice-line">${escaped(shot.notice)}</p>` : "";
     this.answer.innerHTML = notice + shot.html;
+    this.answer.append(make("p", {}, "The same numbers on a command line, with the scene saved:"), make("pre", {}, make("code", {}, shot.command)));
     this.replay?.destroy();
     this.replay = null;
     this.stage.classList.remove("stale");
-    const lead = this.answer.querySelector(".lead")?.textContent ?? "";
-    this.say(`All engines answered in ${seconds.toFixed(2)} s. ${shot.no_replay ? `There is no replay: ${shot.no_replay}.` : ""}`, lead);
+    // the sentence a person came for stands first
+    const lead = this.answer.querySelector(".lead");
+    say(this.lead, lead?.textContent ?? "");
+    lead?.remove();
+    this.say(`All engines answered in ${seconds.toFixed(2)} s. ${shot.no_replay ? `There is no replay: ${shot.no_replay}.` : ""}`);
     if (shot.replay) {
       this.replay = mount(this.stage, shot.replay, { growing: true, autoplay: true });
     }
     if (this.stage.getBoundingClientRect().top > 0.7 * window.innerHeight) {
-      this.stage.scrollIntoView({ behavior: this.calm.matches ? "auto" : "smooth", block: "start" });
+      this.lead.scrollIntoView({ behavior: this.calm.matches ? "auto" : "smooth", block: "start" });
     }
   }
 
@@ -227,6 +234,10 @@ class Live {
     }
     this.filledIn();
     this.take(drawn);
+    const picked = need<HTMLSelectElement>("#scene");
+    if ([...picked.options].some((option) => option.value === drawn.name)) {
+      picked.value = drawn.name;
+    }
     if (at && this.form.contains(document.getElementById(at))) {
       document.getElementById(at)?.focus({ preventScroll: true });
     }
@@ -295,6 +306,7 @@ class Live {
       this.replay?.destroy();
       this.replay = null;
       this.answer.replaceChildren();
+      this.lead.replaceChildren();
       this.stage.classList.remove("stale");
       this.stage.innerHTML = drawn.picture;
       this.say(`Opened ${drawn.name}.`);
@@ -356,7 +368,7 @@ class Live {
     const address = `data:application/toml;charset=utf-8,${encodeURIComponent(this.text.value)}`;
     const anchor = make("a", { href: address, download: `${name}.toml` });
     anchor.click();
-    this.say(`Saved as ${name}.toml. carom compare ${name}.toml prints the same numbers.`);
+    this.say(`Saved as ${name}.toml.`);
   }
 
   private failed(reason: unknown, stopped: string): void {
@@ -365,7 +377,7 @@ class Live {
     } else if (reason instanceof DOMException && reason.name === "AbortError") {
       this.say(stopped);
     } else {
-      this.say("carom play does not answer: it may have been ended. Start it again with carom play.", "", true);
+      this.say("carom play does not answer: it may have been ended. Start it again with carom play.", true);
     }
   }
 
@@ -406,8 +418,10 @@ class Live {
       control.closest("details")?.setAttribute("open", "");
       first ??= control;
     }
-    const [count, things] = [problems.length, problems.length === 1 ? "One thing is" : `${problems.length} things are`];
-    this.say(count > 0 ? `${things} wrong: ${problems[0].message}.` : "", "", true);
+    const label = first?.closest(".field")?.querySelector("label")?.textContent;
+    const things = problems.length === 1 ? "One thing is wrong" : `${problems.length} things are wrong`;
+    const [{ message }] = problems;
+    this.say(`${things}. ${label && first?.getAttribute("name") === problems[0].field ? `${label}: ` : ""}${message}.`, true);
     if (focus) {
       first?.focus();
     }
@@ -418,9 +432,8 @@ class Live {
     return named[0] ?? null;
   }
 
-  /** Tells, and adds for those who do not see the page what it begins with. */
-  private say(words: string, more = "", wrong = false): void {
-    this.status.replaceChildren(...inline(words), ...(more ? [make("span", { class: "sr" }, ` ${more}`)] : []));
+  private say(words: string, wrong = false): void {
+    this.status.replaceChildren(...inline(words));
     this.status.classList.toggle("wrong", wrong);
   }
 }

@@ -15,6 +15,11 @@ const CIRCLES: &str = "effects.pockets.circles";
 /// What the name of a catalogue's scene gets when it is no longer that scene.
 const CHANGED: &str = "-changed";
 
+/// Whether `name` is what a scene called `original` gets when it is changed.
+pub fn is_changed(name: &str, original: &str) -> bool {
+    name.strip_suffix(CHANGED) == Some(original)
+}
+
 /// The scene with the fields put into it, and what is wrong with the fields themselves.
 ///
 /// A form sends the fields of every law, so those of laws that are not chosen are left out; where the choice itself is not among

@@ -155,6 +155,16 @@ fn counted(columns: Vec<Column>) -> Result<Vec<Column>, Problem> {
     Ok(columns)
 }
 
+/// `--engines LIST` for these columns, with a space before it; nothing for those that run where none is named.
+pub fn as_argument<'c>(columns: impl Iterator<Item = &'c Column>) -> String {
+    let specs: Vec<String> = columns.map(spec).collect();
+    let default: Vec<String> = plan(&default_columns()).iter().map(spec).collect();
+    match specs == default {
+        true => String::new(),
+        false => format!(" --engines {}", specs.join(",")),
+    }
+}
+
 fn spec(column: &Column) -> String {
     let setting = column.setting.to_string();
     let parts = setting.split_whitespace();

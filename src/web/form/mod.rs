@@ -8,8 +8,8 @@ mod engines;
 mod five;
 mod html;
 
-pub use change::changed;
-pub use engines::{ENGINE, Engines, MORE, STEP, columns};
+pub use change::{changed, is_changed};
+pub use engines::{ENGINE, Engines, MORE, STEP, as_argument, columns};
 pub use five::{FIVE, Input};
 pub use html::{Filled, html, rules};
 

@@ -54,6 +54,10 @@ fn the_numbers_are_those_of_carom_compare_with_the_saved_scene() {
             "{body}"
         );
         assert_eq!(answer["notice"], "");
+        // and the answer says by which command
+        let name = answer["name"].as_str().unwrap();
+        let listed = engines.last().map_or(String::new(), |list| format!(" --engines exact,{list}"));
+        assert_eq!(answer["command"], format!("carom compare {name}.toml{listed}"));
     }
 }
 
