@@ -33,6 +33,7 @@ mod random_scenes;
 mod rapier;
 mod references;
 mod registries;
+mod replay;
 mod report;
 mod roots;
 mod scene_cli;
