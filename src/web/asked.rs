@@ -58,7 +58,7 @@ impl Asked {
 
     /// Of the body of a request. `start`: the scene where the request has none.
     pub fn of_body(request: &Request, start: &str) -> Result<Self, Problem> {
-        if request.says("Content-Type", "application/x-www-form-urlencoded") {
+        if request.is_of("application/x-www-form-urlencoded") {
             let body = String::from_utf8_lossy(&request.body);
             return Ok(Asked::of_form(Pairs::parse(&body), start));
         }

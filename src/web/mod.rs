@@ -98,7 +98,7 @@ pub fn handle(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
 /// The answer to a body.
 fn posted(request: &Request, path: &str, site: &Site, turns: &dyn Turns) -> Response {
     let known = ["application/json", "application/x-www-form-urlencoded"];
-    if !known.iter().any(|kind| request.says("Content-Type", kind)) {
+    if !known.iter().any(|kind| request.is_of(kind)) {
         let why = format!(
             "the Content-Type of the body must be {}",
             known.join(" or ")
@@ -109,7 +109,7 @@ fn posted(request: &Request, path: &str, site: &Site, turns: &dyn Turns) -> Resp
         Ok(asked) => asked,
         Err(problem) => return Response::json(400, problems(&[problem])),
     };
-    match (path, request.says("Accept", "text/html")) {
+    match (path, request.lists("Accept", "text/html")) {
         ("/shot", false) => shot::answer(&asked, turns),
         ("/shot", true) => page::answered(&asked, turns),
         (_, true) => page::filled_in(&asked),

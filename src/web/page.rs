@@ -2,8 +2,8 @@
 
 use super::asked::{Asked, Drawn};
 use super::encoding::link;
-use super::wire::Response;
 use super::form::is_changed;
+use super::wire::Response;
 use super::{Site, Turns, form, shot, start};
 use crate::report::html;
 use crate::report::svg::escape;

@@ -95,8 +95,17 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
 
 /// The command that prints the same numbers of the saved scene.
 fn command(drawn: &Drawn, shot: &Shot) -> String {
-    let columns = shot.answer.outcome.entries.iter().map(|entry| &entry.column);
-    format!("carom compare {}.toml{}", drawn.name(), form::as_argument(columns))
+    let columns = shot
+        .answer
+        .outcome
+        .entries
+        .iter()
+        .map(|entry| &entry.column);
+    format!(
+        "carom compare {}.toml{}",
+        drawn.name(),
+        form::as_argument(columns)
+    )
 }
 
 /// The answer that runs nothing: the scene as a file, its form, a link to it; or what is wrong with it, which is an answer as well.

@@ -52,10 +52,18 @@ impl Request {
         values.next().is_none().then_some(first)
     }
 
-    /// Whether the body or the answer is of this kind: `application/json` in a header called `name`.
-    pub fn says(&self, name: &str, kind: &str) -> bool {
-        self.all(name)
-            .any(|value| value.to_ascii_lowercase().contains(kind))
+    /// Whether the one `Content-Type` is `kind`, whatever its parameters.
+    pub fn is_of(&self, kind: &str) -> bool {
+        let named = self.only("Content-Type").unwrap_or_default();
+        let media = named.split(';').next().unwrap_or_default();
+        media.trim().eq_ignore_ascii_case(kind)
+    }
+
+    /// Whether a header called `name` has `word` in its list.
+    pub fn lists(&self, name: &str, word: &str) -> bool {
+        let items = self.all(name).flat_map(|value| value.split(','));
+        let mut words = items.map(|item| item.split(';').next().unwrap_or_default());
+        words.any(|known| known.trim().eq_ignore_ascii_case(word))
     }
 }
 
@@ -165,7 +173,7 @@ pub fn read(stream: &mut (impl Read + Write)) -> Result<Request, Unread> {
         return Err(refused(413, why));
     }
     let mut body = received.split_off(end);
-    if body.len() < length && request.says("Expect", "100-continue") {
+    if body.len() < length && request.lists("Expect", "100-continue") {
         let go_on = stream.write_all(b"HTTP/1.1 100 Continue\r\n\r\n");
         go_on.and_then(|()| stream.flush()).map_err(unread)?;
     }

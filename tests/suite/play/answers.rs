@@ -56,8 +56,13 @@ fn the_numbers_are_those_of_carom_compare_with_the_saved_scene() {
         assert_eq!(answer["notice"], "");
         // and the answer says by which command
         let name = answer["name"].as_str().unwrap();
-        let listed = engines.last().map_or(String::new(), |list| format!(" --engines exact,{list}"));
-        assert_eq!(answer["command"], format!("carom compare {name}.toml{listed}"));
+        let listed = engines
+            .last()
+            .map_or(String::new(), |list| format!(" --engines exact,{list}"));
+        assert_eq!(
+            answer["command"],
+            format!("carom compare {name}.toml{listed}")
+        );
     }
 }
 
@@ -174,8 +179,22 @@ fn only_known_paths_and_methods_are_answered() {
             "{method} {path}"
         );
     }
-    let response = handle(&post("/shot", "text/plain", "{}"), &site(), &Never);
-    assert_eq!(response.status, 415);
+    // what a page of another site may send without asking is none of them
+    for kind in [
+        "text/plain",
+        "text/plain; x=application/json",
+        "multipart/form-data",
+        "",
+    ] {
+        let response = handle(&post("/shot", kind, "{}"), &site(), &Never);
+        assert_eq!(response.status, 415, "{kind}");
+    }
+    let response = handle(
+        &post("/scene", "Application/JSON; charset=utf-8", "{}"),
+        &site(),
+        &Never,
+    );
+    assert_eq!(response.status, 200);
 }
 
 #[test]
