@@ -91,8 +91,9 @@ impl Asked {
         Asked::new(base, fields, None)
     }
 
-    /// Of a link: `toml`, a packed scene, or `scene`, a name of the catalogue; and fields by name. Errors: the scene is not there.
-    pub fn of_link(query: &str, start: &str) -> Result<Self, (Self, Problem)> {
+    /// Of a link: `toml`, a packed scene, or `scene`, a name of the catalogue; and fields by name. Where the scene is not to be had,
+    /// that of the server, and why.
+    pub fn of_link(query: &str, start: &str) -> (Self, Option<Problem>) {
         let mut fields = Pairs::parse(query);
         let (packed, name) = (fields.take("toml"), fields.take("scene"));
         let base = match (packed, name) {
@@ -103,11 +104,11 @@ impl Asked {
             (None, None) => Ok(start.to_owned()),
         };
         match base {
-            Ok(base) => Ok(Asked::new(base, fields, None)),
-            Err(problem) => Err((
-                Asked::new(start.to_owned(), Pairs::default(), None),
-                problem,
-            )),
+            Ok(base) => (Asked::new(base, fields, None), None),
+            Err(problem) => {
+                let asked = Asked::new(start.to_owned(), Pairs::default(), None);
+                (asked, Some(problem))
+            }
         }
     }
 

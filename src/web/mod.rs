@@ -85,10 +85,7 @@ pub fn handle(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
     match (*path, scene) {
         ("/", _) => page::opened(&request.query, site),
         (_, Some(name)) => match catalogue::find(name) {
-            Some(_) => {
-                let asked = Asked::of_link(&format!("scene={name}"), &site.start);
-                shot::drawn_up(&asked.unwrap_or_else(|(asked, _)| asked))
-            }
+            Some(entry) => shot::drawn_up(&Asked::of_link("", entry.text).0),
             None => wrong(404, catalogue::unknown(name).to_string()),
         },
         (path, None) => posted(request, path, site, turns),
