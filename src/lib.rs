@@ -24,3 +24,4 @@ pub mod report;
 pub mod scene;
 pub mod study;
 pub mod trace;
+pub mod web;

@@ -49,6 +49,10 @@ pub enum Command {
     ///
     /// Runs the scene without each of its effects, with each alone on the bare model, and along the scenes that `richer` links with it.
     Effects(EffectsArguments),
+    /// Serve a page on this machine: a shot's inputs, every engine run live, the replay and the comparison.
+    ///
+    /// Prints the address and opens a browser; Ctrl-C ends it. Only this machine can reach it.
+    Play(PlayArguments),
     /// Run random scenes that look for trouble, or read mutated inputs, and check what must hold of every one of them.
     ///
     /// Without --scenes and --inputs: ten thousand scenes. Exits with 1 if something is broken, and says which scene or input
@@ -240,6 +244,20 @@ pub struct EffectsArguments {
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
     pub format: String,
+}
+
+/// Arguments of `carom play`.
+#[derive(Debug, Args)]
+pub struct PlayArguments {
+    /// The scene that the page opens with: of the catalogue, or a scene file.
+    #[arg(default_value = "report-break")]
+    pub scene: String,
+    /// Port; 0 is any that is free. Without it: 4147, or the next that is free.
+    #[arg(long, value_name = "N")]
+    pub port: Option<u16>,
+    /// Do not open a browser.
+    #[arg(long)]
+    pub no_open: bool,
 }
 
 /// Arguments of `carom fuzz`.

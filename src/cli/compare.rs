@@ -2,16 +2,15 @@
 
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
+use crate::engine::Limits;
 use crate::report;
-use crate::scene::{Scene, catalogue};
-use crate::study::compare::{LengthUnit, default_columns, plan, study, summary};
-use crate::study::{Column, Timing, Watch, ensemble};
+use crate::study::compare::{LengthUnit, default_columns, plan};
+use crate::study::{Answer, Column, Timing, Watch};
 use std::process::ExitCode;
 
 /// Compares one scene and prints the summary.
 pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
-    let richer = richer(&scene)?;
     let columns = columns(arguments.engines.as_deref())?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
@@ -19,16 +18,15 @@ pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
         progress: &show,
         cancelled: terminal::cancelled(),
     };
-    let outcome = study(&scene, richer.as_ref(), &columns, Timing::Alone, watch);
-    let surroundings = ensemble::surroundings(&outcome, watch);
+    let max_events = Limits::NONE.max_events;
+    let answer = Answer::to(&scene, &columns, Timing::Alone, max_events, watch)?;
     drop(progress);
     let unit = match arguments.units.as_str() {
         "scene" => LengthUnit::Scene,
         _ => LengthUnit::Radius,
     };
-    let mut document = summary(&outcome, unit);
-    ensemble::surround(&mut document, surroundings);
-    terminal::print(&report::render(&document, &arguments.format).unwrap_or_default())
+    let summary = answer.summary(unit);
+    terminal::print(&report::render(&summary, &arguments.format).unwrap_or_default())
 }
 
 /// The engines that were named, or the default ones; the exact engine first.
@@ -38,12 +36,4 @@ pub fn columns(engines: Option<&str>) -> Result<Vec<Column>, Failure> {
         None => default_columns(),
     };
     Ok(plan(&named))
-}
-
-/// The scene that this one is a model of.
-fn richer(scene: &Scene) -> Result<Option<Scene>, Failure> {
-    let Some(name) = &scene.richer else {
-        return Ok(None);
-    };
-    Ok(Some(catalogue::scene(name)?))
 }

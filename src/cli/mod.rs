@@ -14,6 +14,7 @@ mod ensemble;
 mod fuzz;
 mod horizon;
 mod output;
+mod play;
 mod report;
 mod run;
 pub mod scene;
@@ -114,6 +115,7 @@ fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
         Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
         Some(Command::Effects(arguments)) => effects::effects(&arguments),
+        Some(Command::Play(arguments)) => play::play(&arguments),
         Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
         Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Diff(arguments)) => diff::diff(&arguments),

@@ -146,8 +146,22 @@ pub fn resolve(scene: &str) -> Result<Scene, LoadError> {
     load(path)
 }
 
+/// The text of the scene that SCENE names, as written; it is a scene.
+pub fn text(scene: &str) -> Result<String, LoadError> {
+    if let Some(entry) = catalogue::find(scene) {
+        return Ok(entry.text.to_owned());
+    }
+    resolve(scene)?;
+    let bytes = read(Path::new(scene))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
 /// The scene in the file at `path`.
 pub fn load(path: &Path) -> Result<Scene, LoadError> {
+    Ok(parse_bytes(&path.display().to_string(), &read(path)?)?)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
     let unreadable = |why: String| LoadError::Unreadable {
         path: path.to_owned(),
         why,
@@ -155,12 +169,11 @@ pub fn load(path: &Path) -> Result<Scene, LoadError> {
     if path.is_dir() {
         return Err(unreadable("it is a directory, not a file".to_owned()));
     }
-    let bytes = fs::read(path).map_err(|error| match error.kind() {
+    fs::read(path).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => unreadable("there is no such file".to_owned()),
         io::ErrorKind::PermissionDenied => unreadable("permission denied".to_owned()),
         _ => unreadable(error.to_string()),
-    })?;
-    Ok(parse_bytes(&path.display().to_string(), &bytes)?)
+    })
 }
 
 /// The catalogue as a table.

@@ -111,19 +111,19 @@ pub enum Cloth<T = f64> {
     /// Coulomb friction on the centre, without rotation: the report's law.
     Translational {
         /// Coefficient of friction, >= 0; sliding cloth is typically 0.2.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.2]))]
         mu: T,
     },
     /// Balls slide, roll and spin.
     Rotational {
         /// Coefficient of sliding friction, >= 0; sliding cloth is typically 0.2.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.2]))]
         mu_slide: T,
         /// Coefficient of rolling resistance, >= 0; a pool cloth has 0.005 to 0.015.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.01]))]
         mu_roll: T,
         /// Coefficient of friction against spin about the vertical, in radii, >= 0; a pool cloth has about 0.01.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.01]))]
         mu_spin: T,
     },
 }
@@ -138,7 +138,7 @@ pub enum Contact<T = f64> {
     /// The normal velocity is reduced.
     Inelastic {
         /// Restitution, from 0 to 1; pool balls have 0.92 to 0.98.
-        #[schemars(range(min = 0, max = 1))]
+        #[schemars(range(min = 0, max = 1), extend("examples" = [0.95]))]
         e: T,
     },
 }
@@ -151,19 +151,19 @@ pub enum Friction<T = f64> {
     /// One coefficient at every slip speed.
     Constant {
         /// Coefficient of friction between balls, >= 0; pool balls have 0.03 to 0.08.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.06]))]
         mu: T,
     },
     /// A coefficient that falls with the slip speed u in m/s: mu = a + b exp(-c u).
     Alciatore {
         /// Coefficient at high slip speed, >= 0; published is 0.009951.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.009951]))]
         a: T,
         /// What is added to it at low slip speed, >= 0; published is 0.108.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.108]))]
         b: T,
         /// How fast it falls with the slip speed, s/m, >= 0; published is 1.088.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [1.088]))]
         c: T,
         /// Metres per length unit of the scene: no key of its own, the scene's units give it.
         #[serde(skip, default = "one_metre")]
@@ -186,36 +186,36 @@ pub enum Cushion<T = f64> {
     /// The velocity component into the cushion is reversed and reduced.
     Restitution {
         /// Restitution, from 0 to 1; a pool rail has 0.6 to 0.9.
-        #[schemars(range(min = 0, max = 1))]
+        #[schemars(range(min = 0, max = 1), extend("examples" = [0.75]))]
         e: T,
     },
     /// A nose above the ball's centre, with friction: Han 2005, with its slip condition corrected.
     #[serde(rename = "han-2005")]
     Han2005 {
         /// Restitution along the line from the ball's centre to the nose, from 0 to 1; 0.85 is typical.
-        #[schemars(range(min = 0, max = 1))]
+        #[schemars(range(min = 0, max = 1), extend("examples" = [0.85]))]
         e: T,
         /// Coefficient of friction between ball and cushion, >= 0; 0.2 is typical.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [0.2]))]
         mu: T,
         /// Height of the nose above the cloth, in radii of the ball that meets it, greater than 0 and less than 2; a pool cushion has 1.28.
-        #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 2))]
+        #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 2, "examples" = [1.28]))]
         height: T,
     },
     /// A nose above the ball's centre, with friction at the cushion and at the cloth during the impact: Mathavan 2010.
     #[serde(rename = "mathavan-2010")]
     Mathavan2010 {
         /// Square root of the share of the work of compression that is returned, from 0 to 1; published is 0.98.
-        #[schemars(range(min = 0, max = 1))]
+        #[schemars(range(min = 0, max = 1), extend("examples" = [0.98]))]
         e: T,
         /// Coefficient of friction between ball and cushion, from 0 to 0.5; published is 0.14.
-        #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
+        #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.14]))]
         mu: T,
         /// Coefficient of friction between ball and cloth, from 0 to 0.5; published is 0.212.
-        #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
+        #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.212]))]
         mu_cloth: T,
         /// Height of the nose above the cloth, in radii of the ball that meets it, from 0.1 to 1.9: nearer to the cloth or to the top the ball slips past it; published is 1.4 for snooker.
-        #[schemars(extend("minimum" = 0.1, "maximum" = 1.9))]
+        #[schemars(extend("minimum" = 0.1, "maximum" = 1.9, "examples" = [1.4]))]
         height: T,
     },
 }

@@ -4,6 +4,7 @@
 //! from the schema, which comes from the types of `file`, so a new key or law is checked as soon as it exists.
 
 use super::diagnostics::{Diagnostic, Kind, nearest, printable};
+use super::format::{ANY_SIZE, advice, keys, kind_of, list, target, variants, wanted, words};
 use super::located::{Located, header, join, last};
 use serde_json::Value;
 use std::ops::Range;
@@ -16,9 +17,6 @@ pub(super) const LARGEST: f64 = 1e30;
 /// Smallest size of a number in a scene that is not 0. Its square stays far from underflow. A schema that says
 /// [`ANY_SIZE`] has no such bound: a speed may be what a cosine left over.
 pub(super) const SMALLEST: f64 = 1e-30;
-
-/// Keyword of a schema whose numbers may be as small as f64 holds.
-const ANY_SIZE: &str = "anySize";
 
 /// Everything in which the file at hand departs from `schema`.
 pub(super) fn check(located: &Located<'_>, schema: &Value) -> Vec<Diagnostic> {
@@ -46,26 +44,6 @@ struct Walk<'s> {
 type Entry<'a, 't> = (&'a Spanned<DeString<'t>>, &'a Spanned<DeValue<'t>>);
 
 impl<'s> Walk<'s> {
-    /// The schema that says what a value is, behind references and `null` alternatives.
-    fn target(&self, mut schema: &'s Value) -> &'s Value {
-        loop {
-            if let Some(reference) = schema["$ref"].as_str() {
-                let pointer = reference.trim_start_matches('#');
-                match self.schema.pointer(pointer) {
-                    Some(found) => schema = found,
-                    None => return schema,
-                }
-            } else if let Some(real) = list(&schema["anyOf"])
-                .iter()
-                .find(|choice| choice["type"] != "null")
-            {
-                schema = real;
-            } else {
-                return schema;
-            }
-        }
-    }
-
     /// `around`: what the list that the value stands in says of its values.
     fn value(
         &mut self,
@@ -74,7 +52,7 @@ impl<'s> Walk<'s> {
         around: &Around,
         value: &Spanned<DeValue<'_>>,
     ) {
-        let target = self.target(schema);
+        let target = target(self.schema, schema);
         let own = advice(schema, target);
         let around = Around {
             advice: match (own.is_empty(), around.advice.is_empty()) {
@@ -210,10 +188,11 @@ impl<'s> Walk<'s> {
         for key in list(&schema["required"]).iter().filter_map(Value::as_str) {
             if !table.contains_key(key) {
                 let property = known.get(key).unwrap_or(&Value::Null);
-                let target = self.target(property);
+                let target = target(self.schema, property);
                 let message = format!("{} must have `{key}`, {}", header(path), wanted(target));
                 let help = advice(property, target);
-                self.report_at(missing(span.clone(), message, help));
+                let problem = missing(span.clone(), message, help);
+                self.report_at(problem.wanting(join(path, key)));
             }
         }
     }
@@ -310,103 +289,6 @@ pub(super) fn missing(
         "in this table"
     };
     Diagnostic::new(Kind::Missing, span, message, help).labelled(label)
-}
-
-fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
-}
-
-fn keys(properties: &Value) -> Vec<&str> {
-    let map = properties.as_object();
-    map.map_or_else(Vec::new, |map| map.keys().map(String::as_str).collect())
-}
-
-/// The words of a schema that is a choice of words.
-fn words(schema: &Value) -> Option<Vec<&str>> {
-    if let Some(words) = schema["enum"].as_array() {
-        return Some(words.iter().filter_map(Value::as_str).collect());
-    }
-    let choices = list(&schema["oneOf"]);
-    let words: Vec<&str> = choices.iter().filter_map(|c| c["const"].as_str()).collect();
-    (!words.is_empty() && words.len() == choices.len()).then_some(words)
-}
-
-/// The laws of a schema that is a choice of tables.
-fn variants(schema: &Value) -> Vec<(&str, &Value)> {
-    let properties = list(&schema["oneOf"])
-        .iter()
-        .filter_map(|choice| choice["properties"].as_object());
-    properties
-        .flat_map(|map| map.iter().map(|(name, law)| (name.as_str(), law)))
-        .collect()
-}
-
-fn kind_of(schema: &Value) -> &str {
-    if schema["oneOf"].is_array() {
-        return "choice";
-    }
-    match &schema["type"] {
-        Value::String(kind) => kind,
-        Value::Array(kinds) => kinds
-            .iter()
-            .filter_map(Value::as_str)
-            .find(|kind| *kind != "null")
-            .unwrap_or_default(),
-        _ => "",
-    }
-}
-
-/// What a value must be, in words.
-fn wanted(schema: &Value) -> String {
-    match kind_of(schema) {
-        "choice" => "a table with one law".to_owned(),
-        "object" => "a table".to_owned(),
-        "array" => match schema["minItems"].as_u64() {
-            Some(n) => format!("a list of {n} numbers"),
-            None => "a list".to_owned(),
-        },
-        "string" => "text in quotes".to_owned(),
-        "boolean" => "true or false".to_owned(),
-        kind => {
-            let what = if kind == "integer" {
-                "a whole number"
-            } else {
-                "a finite number"
-            };
-            what.to_owned() + &range(schema)
-        }
-    }
-}
-
-fn range(schema: &Value) -> String {
-    let bound = |key: &str| schema[key].as_f64();
-    match (
-        bound("minimum"),
-        bound("exclusiveMinimum"),
-        bound("maximum"),
-        bound("exclusiveMaximum"),
-    ) {
-        (Some(least), _, Some(most), _) => format!(" from {least} to {most}"),
-        (Some(least), _, None, Some(bound)) => format!(" from {least}, less than {bound}"),
-        (Some(least), _, None, None) => format!(", {least} or greater"),
-        (None, Some(bound), Some(most), _) => format!(" greater than {bound}, at most {most}"),
-        (None, Some(low), None, Some(high)) => format!(" greater than {low} and less than {high}"),
-        (None, Some(bound), None, None) => format!(" greater than {bound}"),
-        (None, None, Some(most), _) => format!(", at most {most}"),
-        (None, None, None, Some(bound)) => format!(" less than {bound}"),
-        (None, None, None, None) => String::new(),
-    }
-}
-
-/// The advice of a description: what follows its last semicolon, else all of it.
-fn advice(schema: &Value, target: &Value) -> String {
-    let description = schema["description"]
-        .as_str()
-        .or(target["description"].as_str())
-        .unwrap_or_default();
-    let words = description.split_whitespace().collect::<Vec<_>>().join(" ");
-    let advice = words.rsplit("; ").next().unwrap_or_default();
-    advice.trim_end_matches('.').to_owned()
 }
 
 /// What a table without advice of its own holds.

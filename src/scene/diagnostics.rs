@@ -60,6 +60,8 @@ pub struct Diagnostic {
     pub also: Vec<(Range<usize>, String)>,
     /// What would be right.
     pub help: String,
+    /// Path of the key that would mend it, such as `units.length_in_metres`: what is missing has no place of its own.
+    pub wanted: Option<String>,
 }
 
 impl Diagnostic {
@@ -77,12 +79,19 @@ impl Diagnostic {
             label: "here".to_owned(),
             also: Vec::new(),
             help: help.into(),
+            wanted: None,
         }
     }
 
     /// The same error with other words under the mark.
     pub fn labelled(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
+        self
+    }
+
+    /// The same error with the path of the key that would mend it.
+    pub fn wanting(mut self, path: impl Into<String>) -> Self {
+        self.wanted = Some(path.into());
         self
     }
 

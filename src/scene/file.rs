@@ -120,10 +120,10 @@ pub struct UnitsFile {
 #[serde(deny_unknown_fields)]
 pub struct TableFile {
     /// Extent along x, length, greater than 0; a pool table has 1.27 m between the cushions.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1.27]))]
     pub width: f64,
     /// Extent along y, length, greater than 0; a pool table has 2.54 m between the cushions.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2.54]))]
     pub length: f64,
     /// Corner with the smallest x and y, length, `[0, 0]` if absent; `origin = [0.0, 0.0]`.
     #[serde(default)]
@@ -169,12 +169,13 @@ pub struct BallFile {
 #[serde(deny_unknown_fields)]
 pub struct RackFile {
     /// Centre of ball "1", the one with the smallest y, length; `apex = [x, y]`.
+    #[schemars(extend("examples" = [[0.635, 1.905]]))]
     pub apex: [f64; 2],
     /// Number of rows, 1 to 5; 5 rows are the 15 balls of pool.
-    #[schemars(range(min = 1, max = 5))]
+    #[schemars(range(min = 1, max = 5), extend("examples" = [5]))]
     pub rows: u8,
     /// Distance between the surfaces of neighbours, length, 0 or greater; 0 is a frozen rack.
-    #[schemars(range(min = 0))]
+    #[schemars(range(min = 0), extend("examples" = [0.0002]))]
     pub gap: f64,
     /// Largest displacement of each ball, length, 0 or greater, none if absent; half the gap keeps balls apart.
     #[schemars(range(min = 0))]
@@ -193,13 +194,13 @@ pub enum ShotFile {
         /// Id of the ball; `ball = "cue"`.
         ball: String,
         /// Direction, degrees counter-clockwise from +x, -360 to 360; 90 is straight along the table.
-        #[schemars(range(min = -360, max = 360))]
+        #[schemars(range(min = -360, max = 360), extend("examples" = [90.0]))]
         angle_deg: f64,
         /// Force, mass * length/s^2, 0 or greater; the report's is 108.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [108.0]))]
         force: f64,
         /// Time for which the force acts, s, greater than 0; the report's is 0.01.
-        #[schemars(extend("exclusiveMinimum" = 0))]
+        #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.01]))]
         contact_time: f64,
     },
     /// A speed given directly.
@@ -207,10 +208,10 @@ pub enum ShotFile {
         /// Id of the ball; `ball = "cue"`.
         ball: String,
         /// Speed, length/s, 0 or greater; a brisk shot has 2 m/s.
-        #[schemars(range(min = 0), extend("anySize" = true))]
+        #[schemars(range(min = 0), extend("anySize" = true, "examples" = [2.0]))]
         speed: f64,
         /// Direction, degrees counter-clockwise from +x, -360 to 360; 90 is straight along the table.
-        #[schemars(range(min = -360, max = 360))]
+        #[schemars(range(min = -360, max = 360), extend("examples" = [90.0]))]
         angle_deg: f64,
     },
     /// A cue that strikes the ball at rest, off its centre or not; in scenes that turn balls.
@@ -218,17 +219,17 @@ pub enum ShotFile {
         /// Id of the ball; `ball = "cue"`.
         ball: String,
         /// Speed of the cue, length/s, 0 or greater; a brisk shot has 2 m/s.
-        #[schemars(range(min = 0))]
+        #[schemars(range(min = 0), extend("examples" = [2.0]))]
         speed: f64,
         /// Direction of the cue, degrees counter-clockwise from +x, -360 to 360; 90 is straight along the table.
-        #[schemars(range(min = -360, max = 360))]
+        #[schemars(range(min = -360, max = 360), extend("examples" = [90.0]))]
         angle_deg: f64,
         /// How far the butt of the cue is raised, degrees, from 0 to 90, 0 if absent; a level shot has 5.
         #[serde(default)]
         #[schemars(range(min = 0, max = 90))]
         elevation_deg: f64,
         /// Mass of the cue, greater than 0; a pool cue has 0.567 kg.
-        #[schemars(extend("exclusiveMinimum" = 0))]
+        #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.567]))]
         cue_mass: f64,
         /// Mass at the tip that gives way sideways and deflects the ball (squirt), greater than 0, no deflection if absent; a thirtieth of the ball is typical.
         #[schemars(extend("exclusiveMinimum" = 0))]

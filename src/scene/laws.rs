@@ -38,7 +38,8 @@ fn gravity(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
         let message = format!("`[{law}]` needs `gravity`, which the scene does not give");
         let help = "add `gravity` at the top of the file, in length/s^2; 9.81 in metres";
         let span = at.value(&law);
-        problems.push(missing(span, message, help).labelled("this law uses it"));
+        let problem = missing(span, message, help).labelled("this law uses it");
+        problems.push(problem.wanting("gravity"));
     }
 }
 
@@ -53,7 +54,8 @@ fn friction(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
         );
         let help = "add `[effects.contact.elastic]` or `[effects.contact.inelastic]`, or remove the friction";
         let label = "friction is named here";
-        problems.push(missing(at.value(&name), message, help).labelled(label));
+        let problem = missing(at.value(&name), message, help).labelled(label);
+        problems.push(problem.wanting("effects.contact"));
     }
     match law {
         Friction::Constant { .. } => {}
@@ -64,7 +66,8 @@ fn friction(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
                 );
                 let help = "add `length_in_metres` to `[units]`; 1.0 in metres";
                 let label = "this law has constants in metres";
-                problems.push(missing(at.value(&name), message, help).labelled(label));
+                let problem = missing(at.value(&name), message, help).labelled(label);
+                problems.push(problem.wanting("units.length_in_metres"));
             }
         }
     }

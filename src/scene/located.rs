@@ -21,6 +21,12 @@ impl Located<'_> {
         self.find(path).0
     }
 
+    /// The path of the deepest key that stands, or whose value stands, where `place` begins; empty if none does. Lists are not
+    /// entered.
+    pub fn path_at(&self, place: usize) -> String {
+        path_at(&self.root, place)
+    }
+
     fn find(&self, path: &str) -> (Range<usize>, Range<usize>) {
         let mut found = (0..0, 0..0);
         let mut table = Some(&self.root);
@@ -42,6 +48,26 @@ impl Located<'_> {
         }
         found
     }
+}
+
+/// The path of the deepest key of `table` that stands, or whose value stands, where `place` begins; empty if none does.
+fn path_at(table: &DeTable<'_>, place: usize) -> String {
+    let mut best = (usize::MAX, String::new());
+    for (key, value) in table {
+        let inner = match value.get_ref() {
+            DeValue::Table(table) => path_at(table, place),
+            _ => String::new(),
+        };
+        if !inner.is_empty() {
+            return join(key.get_ref(), &inner);
+        }
+        for span in [key.span(), value.span()] {
+            if span.contains(&place) && span.len() < best.0 {
+                best = (span.len(), key.get_ref().to_string());
+            }
+        }
+    }
+    best.1
 }
 
 fn item<'a, 't>(value: &'a Spanned<DeValue<'t>>, index: &str) -> Option<&'a Spanned<DeValue<'t>>> {

@@ -9,6 +9,7 @@ pub mod catalogue;
 mod check;
 mod diagnostics;
 mod file;
+pub mod format;
 pub mod generate;
 mod geometry;
 mod laws;
@@ -54,6 +55,15 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     // the walk above has seen every key and type; this cannot fail unless the schema and the types disagree
     let file: SceneFile = toml::from_str(text).map_err(|error| invalid(vec![syntax(&error)]))?;
     resolve::resolve(file, &located).map_err(invalid)
+}
+
+/// The path of the deepest key at byte `place` of a scene file, such as `effects.cloth.translational.mu`; empty if there is none.
+pub fn path_at(text: &str, place: usize) -> String {
+    let (root, _) = DeTable::parse_recoverable(text);
+    let located = Located {
+        root: root.into_inner(),
+    };
+    located.path_at(place)
 }
 
 /// The text of a scene file as carom would write it: comments and layout are lost, the scene is the same.

@@ -24,14 +24,16 @@ pub(super) fn balls(
         if number.is_none() {
             let message = format!("the balls of the rack have no {what}");
             let help = format!("add `{what}` to `[ball]`");
-            problems.push(missing(span.clone(), message, help).labelled("this rack"));
+            let problem = missing(span.clone(), message, help).labelled("this rack");
+            problems.push(problem.wanting(format!("ball.{what}")));
         }
     }
     if rack.jitter.is_some() && rack.seed.is_none() {
         let message = "jitter needs a `seed`, so that the scene is the same every time";
         let help = "add `seed` to `[rack]`, any whole number";
         let span = at.value("rack.jitter");
-        problems.push(missing(span, message, help).labelled("here"));
+        let problem = missing(span, message, help).labelled("here");
+        problems.push(problem.wanting("rack.seed"));
     }
     let (Some(radius), Some(mass)) = (file.ball.radius, file.ball.mass) else {
         return Vec::new();

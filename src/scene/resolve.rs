@@ -77,7 +77,11 @@ fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
                 let message = format!("{what} need a `[table]`, which the scene does not give");
                 let span = at.key(&format!("effects.{key}"));
                 let label = format!("{what} are named here");
-                problems.push(missing(span, message, help).labelled(label));
+                problems.push(
+                    missing(span, message, help)
+                        .labelled(label)
+                        .wanting("table"),
+                );
             }
         }
         return None;
@@ -99,7 +103,8 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnosti
             if number.is_none() {
                 let message = format!("ball \"{}\" has no {what}", ball.id);
                 let help = format!("add `{what}` here, or to `[ball]` for every ball");
-                problems.push(missing(at.value(&path), message, help));
+                let problem = missing(at.value(&path), message, help);
+                problems.push(problem.wanting(format!("ball.{what}")));
             }
             number
         };

@@ -164,9 +164,25 @@ pub fn run_row(
     timing: Timing,
     watch: Watch<'_>,
 ) -> Vec<Cell> {
+    let limits = Limits {
+        cancelled: watch.cancelled,
+        ..Limits::NONE
+    };
+    run_row_within(scene, columns, record, timing, &limits, watch)
+}
+
+/// The same with runs that end early where `limits` say so.
+pub fn run_row_within(
+    scene: &Scene,
+    columns: &[Column],
+    record: Record,
+    timing: Timing,
+    limits: &Limits<'_>,
+    watch: Watch<'_>,
+) -> Vec<Cell> {
     let done = AtomicUsize::new(0);
     let run = |column: &Column| {
-        let cell = run_cell(scene, column, record, timing, watch.cancelled);
+        let cell = run_within(scene, column, record, timing, limits);
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
         (watch.progress)(
             count,

@@ -1,6 +1,10 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
+<<<<<<< HEAD
 mod certainty;
+=======
+pub mod answer;
+>>>>>>> 1c59f89fec67459cb99e3f3758ea17be18ec0c47
 pub mod check;
 pub mod claims;
 pub mod compare;
@@ -16,4 +20,5 @@ pub mod random;
 pub mod stability;
 pub mod validation;
 
+pub use answer::Answer;
 pub use matrix::{Cell, Column, Ran, Timing, Watch};

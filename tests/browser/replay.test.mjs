@@ -1,6 +1,7 @@
 // The replay component in a browser, on scenes whose motion is known.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { contrasts } from "./contrast.mjs";
 import { DESKTOP, html, launch, mounted, open, PHONE, picture, pixels, readout, scrub, serve, settled } from "./harness.mjs";
 import { crowd, hit, slide, slidingBall, twoBalls } from "./scenes.mjs";
 
@@ -365,43 +366,11 @@ for (const dark of [false, true]) {
       for (const element of await page.locator("details > summary").all()) {
         await element.click();
       }
-      const { weak, seen } = await page.evaluate(contrasts);
+      const { weak, seen } = await page.evaluate(contrasts, ".rp");
       assert.ok(seen > 30, `only ${seen} words were looked at`);
       assert.deepEqual(weak, []);
       await picture(page, `desktop-${dark ? "dark" : "light"}`, { fullPage: true });
     }));
-}
-
-/** Words of the component whose contrast is below 4.5 (WCAG 1.4.3), and how many were looked at. */
-function contrasts() {
-  const parse = (colour) => {
-    const [r, g, b, a = 1] = colour.match(/[\d.]+/g).map(Number);
-    return { r, g, b, a };
-  };
-  const light = ({ r, g, b }) => {
-    const [x, y, z] = [r, g, b].map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
-    return 0.2126 * x + 0.7152 * y + 0.0722 * z;
-  };
-  const weak = [];
-  let seen = 0;
-  const walk = document.createTreeWalker(document.querySelector(".rp"), NodeFilter.SHOW_TEXT);
-  while (walk.nextNode()) {
-    const element = walk.currentNode.parentElement;
-    if (!walk.currentNode.textContent.trim() || !element.checkVisibility() || element.closest(".rp-status, option")) {
-      continue;
-    }
-    let behind = element;
-    while (behind && parse(getComputedStyle(behind).backgroundColor).a < 0.5) {
-      behind = behind.parentElement;
-    }
-    const [a, b] = [light(parse(getComputedStyle(element).color)), light(parse(behind ? getComputedStyle(behind).backgroundColor : "rgb(255,255,255)"))];
-    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-    seen += 1;
-    if (ratio < 4.5) {
-      weak.push(`${walk.currentNode.textContent.trim()}: ${ratio.toFixed(2)}`);
-    }
-  }
-  return { weak, seen };
 }
 
 test("everything that can be operated has a name and a focus that is seen", () =>

@@ -6,6 +6,9 @@
 mod blocks;
 mod policy;
 
+pub use blocks::inline;
+pub use policy::{embeddable, hash};
+
 use super::names::{Page, Pages};
 use super::svg::escape;
 use crate::finding::{Block, Cell, Document};

@@ -37,12 +37,12 @@ impl Shell {
         let mut policy = "default-src 'none'".to_owned();
         let mut element = String::new();
         if !script.is_empty() {
-            let script = inline(script);
+            let script = embeddable(script);
             style += REPLAY_STYLE;
             policy += &format!("; script-src '{}'", hash(&script));
             element = format!("<script>{script}</script>\n");
         }
-        let style = inline(&style);
+        let style = embeddable(&style);
         policy += &format!(
             "; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
             hash(&style)
@@ -61,15 +61,15 @@ pub fn sheet() -> String {
 }
 
 /// Text that ends no element and opens no comment, in strings of a script and in a sheet; what a browser reads is what was hashed.
-fn inline(text: &str) -> String {
+pub fn embeddable(text: &str) -> String {
     text.replace("\r\n", "\n")
         .replace("</script", "<\\/script")
         .replace("</style", "<\\/style")
         .replace("<!--", "<\\!--")
 }
 
-/// As a policy names it.
-fn hash(text: &str) -> String {
+/// A script or sheet as a policy names it.
+pub fn hash(text: &str) -> String {
     format!(
         "sha256-{}",
         STANDARD.encode(Sha256::digest(text.as_bytes()))

@@ -171,9 +171,26 @@ pub fn study(
     timing: Timing,
     watch: Watch<'_>,
 ) -> Outcome {
-    let cells = matrix::run_row(scene, columns, Record::Every(CADENCE), timing, watch);
+    let limits = Limits {
+        cancelled: watch.cancelled,
+        ..Limits::NONE
+    };
+    study_within(scene, richer, columns, timing, &limits, watch)
+}
+
+/// The same with runs that end early where `limits` say so.
+pub fn study_within(
+    scene: &Scene,
+    richer: Option<&Scene>,
+    columns: &[Column],
+    timing: Timing,
+    limits: &Limits<'_>,
+    watch: Watch<'_>,
+) -> Outcome {
+    let record = Record::Every(CADENCE);
+    let cells = matrix::run_row_within(scene, columns, record, timing, limits, watch);
     let model = richer.and_then(|richer| model_error(scene, richer, columns, &cells, watch));
-    let mut outcome = conclude(scene, columns, cells);
+    let mut outcome = conclude(scene, columns, cells, limits);
     for standing in outcome
         .entries
         .iter_mut()
@@ -186,7 +203,7 @@ pub fn study(
 }
 
 /// Concludes from the cells of one scene. Reads only; causes that need further runs stay open.
-fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>) -> Outcome {
+fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits<'_>) -> Outcome {
     let entries = columns.iter().cloned().zip(cells);
     let entries = entries
         .map(|(column, cell)| Entry {
@@ -208,7 +225,9 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>) -> Outcome {
         Ok(index) => {
             outcome.reference = Some(index);
             outcome.horizon = Exact::precision(&columns[index].setting)
-                .and_then(|precision| horizon(scene, precision, false, &Limits::NONE));
+                .and_then(|precision| horizon(scene, precision, false, limits))
+                // what was cut short says nothing
+                .filter(|_| !limits.is_cancelled());
         }
         Err(why) => outcome.no_reference = Some(why),
     }

@@ -6,9 +6,13 @@ mod random;
 pub mod sample;
 
 use carom::finding::{
-    Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
+    Axis, Block, Cell, Column, Document, Figure, Mark, Replay, ReplayBall, ReplayDivergence,
+    ReplayEvent, ReplayParting, ReplayRun, Series, Style, Table, Tone,
 };
+use carom::math::Vec3;
+use carom::physics::State;
 use carom::report::{self, FORMATS, svg, text};
+use carom::trace::{Knot, Path};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -36,7 +40,10 @@ fn small() -> Document {
         id: "break".into(),
         title: "The break".into(),
         lead: String::new(),
-        blocks: vec![Block::Text("Nothing else.".into())],
+        blocks: vec![
+            Block::Text("Nothing else.".into()),
+            Block::Replay(Box::new(replay())),
+        ],
         pages: Vec::new(),
     };
     Document {
@@ -82,6 +89,69 @@ fn small() -> Document {
             Block::Figure(figure),
         ],
         pages: vec![below],
+    }
+}
+
+/// One ball that slides in one engine.
+fn replay() -> Replay {
+    let knot = |time: f64| Knot {
+        time,
+        state: State {
+            position: Vec3::new(time, 0.5, 0.25),
+            velocity: Vec3::new(1.0, 0.0, 0.0),
+            spin: Vec3::zeros(),
+        },
+        after: None,
+    };
+    Replay {
+        scene: "break".into(),
+        duration: 2.0,
+        length_unit: "foot".into(),
+        time_unit: "s".into(),
+        origin: [0.0; 3],
+        radius: 0.25,
+        speed_scale: 1.0,
+        table: None,
+        pockets: Vec::new(),
+        rotates: false,
+        balls: vec![ReplayBall {
+            id: "cue".into(),
+            radius: 0.25,
+            mass: 1.0,
+            inertia: 0.0,
+        }],
+        runs: vec![ReplayRun {
+            label: "exact".into(),
+            engine: "exact".into(),
+            reference: true,
+            end: 2.0,
+            ending: "everything at rest".into(),
+            resolution: 0.0,
+            events: vec![ReplayEvent {
+                time: 2.0,
+                kind: "stop",
+                a: "cue".into(),
+                b: String::new(),
+            }],
+            paths: vec![Path {
+                knots: vec![knot(0.0), knot(2.0)],
+            }],
+            left_out: 3,
+            tolerance: 1e-3,
+        }],
+        partings: vec![ReplayParting {
+            time: 1.0,
+            runs: [0, 0],
+            balls: vec!["cue".into()],
+            words: "One has it, one has not.".into(),
+        }],
+        horizon: Some(1.5),
+        divergence: vec![ReplayDivergence {
+            run: 0,
+            against: 0,
+            points: vec![[0.0, 1e-3]],
+        }],
+        remark: String::new(),
     }
 }
 
@@ -358,21 +428,24 @@ fn words_never_become_markup() {
                 figure.series[0].name = EVIL.into();
                 figure.marks[0].label = EVIL.into();
             }
-            Block::Replay(replay) => {
-                let run = &mut replay.runs[0];
-                for text in [
-                    &mut replay.scene,
-                    &mut replay.length_unit,
-                    &mut replay.balls[0].id,
-                    &mut run.label,
-                    &mut run.ending,
-                    &mut run.events[0].a,
-                    &mut replay.partings[0].words,
-                ] {
-                    *text = EVIL.into();
-                }
-            }
+            Block::Replay(_) => unreachable!("it is on the page below"),
         }
+    }
+    let Some(Block::Replay(replay)) = document.pages[0].blocks.last_mut() else {
+        unreachable!("the page below ends with its replay");
+    };
+    let run = &mut replay.runs[0];
+    for text in [
+        &mut replay.scene,
+        &mut replay.length_unit,
+        &mut replay.remark,
+        &mut replay.balls[0].id,
+        &mut run.label,
+        &mut run.ending,
+        &mut run.events[0].a,
+        &mut replay.partings[0].words,
+    ] {
+        *text = EVIL.into();
     }
     document.pages[0].id = EVIL.into();
     document.pages[0].title = EVIL.into();
@@ -388,7 +461,13 @@ fn words_never_become_markup() {
             "{path}"
         );
         if path.ends_with(".html") || path.ends_with(".svg") {
-            for markup in ["<script", "<b onload", "\"><b"] {
+            // the replay has its data, and a script of its own
+            let scripts = content.matches("<script").count();
+            let own = content
+                .matches("<script type=\"application/json\" class=\"replay-data\">")
+                .count();
+            assert_eq!(scripts, 2 * own, "{path}");
+            for markup in ["<script>alert", "<b onload", "\"><b"] {
                 assert!(!content.contains(markup), "{path} has `{markup}`");
             }
         }

@@ -1,18 +1,13 @@
 //! Documents that no study would write.
 
 use carom::finding::{
-    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Sign, Style, Table, Tone,
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Replay, ReplayBall, ReplayDivergence,
+    ReplayEvent, ReplayParting, ReplayRun, Series, Style, Table, Tone,
 };
+use carom::math::Vec3;
+use carom::physics::State;
+use carom::trace::{Knot, Path};
 use proptest::prelude::*;
-
-/// Every sign of a field.
-pub const SIGNS: [Sign; 5] = [
-    Sign::Dot,
-    Sign::Triangle,
-    Sign::Cross,
-    Sign::Ring,
-    Sign::Dash,
-];
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -28,25 +23,13 @@ fn words() -> impl Strategy<Value = String> {
 
 fn figure() -> impl Strategy<Value = Figure> {
     let axis = || {
-        let names = prop_oneof![
-            3 => Just(Vec::new()),
-            1 => prop::collection::vec(words(), 1..5),
-        ];
-        (words(), words(), any::<bool>(), names).prop_map(|(label, unit, log, names)| Axis {
-            label,
-            unit,
-            log,
-            names: names.into(),
-        })
+        (words(), words(), any::<bool>()).prop_map(|(label, unit, log)| Axis { label, unit, log })
     };
     let style = prop_oneof![
         Just(Style::Line),
+        Just(Style::Dashed),
         Just(Style::Points),
-        Just(Style::Rings),
-        Just(Style::Crosses),
-        Just(Style::Guide),
-        Just(Style::Band),
-        prop::sample::select(SIGNS.to_vec()).prop_map(Style::Tiles),
+        Just(Style::Words),
         number().prop_map(Style::Discs)
     ];
     let points = prop::collection::vec([number(), number()], 0..12);
@@ -125,7 +108,87 @@ fn block() -> impl Strategy<Value = Block> {
         words().prop_map(Block::Command),
         table().prop_map(Block::Table),
         figure().prop_map(Block::Figure),
+        replay().prop_map(|replay| Block::Replay(Box::new(replay))),
     ]
+}
+
+/// A replay whose numbers and references make no sense.
+fn replay() -> impl Strategy<Value = Replay> {
+    let scene = (
+        [words(), words(), words(), words()],
+        [number(), number(), number()],
+        any::<bool>(),
+    );
+    let parts = (
+        [words(), words(), words()],
+        prop::collection::vec(number(), 9),
+        any::<[usize; 2]>(),
+    );
+    (scene, parts).prop_map(
+        |(([name, length, time, remark], [a, b, c], rotates), ([id, label, said], n, runs))| {
+            let triple = |k: usize| Vec3::new(n[k % 9], n[(k + 1) % 9], n[(k + 2) % 9]);
+            let knot = Knot {
+                time: n[0],
+                state: State {
+                    position: triple(1),
+                    velocity: triple(4),
+                    spin: triple(6),
+                },
+                after: None,
+            };
+            let event = ReplayEvent {
+                time: n[1],
+                kind: "ball-ball",
+                a: id.clone(),
+                b: label.clone(),
+            };
+            Replay {
+                scene: name,
+                duration: a,
+                length_unit: length,
+                time_unit: time,
+                origin: [a, b, c],
+                radius: b,
+                speed_scale: c,
+                table: rotates.then_some([[a, b], [b, c]]),
+                pockets: vec![[a, b, c]],
+                rotates,
+                balls: vec![ReplayBall {
+                    id: id.clone(),
+                    radius: n[2],
+                    mass: n[3],
+                    inertia: n[4],
+                }],
+                runs: vec![ReplayRun {
+                    label,
+                    engine: said.clone(),
+                    reference: rotates,
+                    end: n[5],
+                    ending: said.clone(),
+                    resolution: n[6],
+                    events: vec![event],
+                    paths: vec![Path {
+                        knots: vec![knot; 3],
+                    }],
+                    left_out: runs[0],
+                    tolerance: n[7],
+                }],
+                partings: vec![ReplayParting {
+                    time: n[8],
+                    runs,
+                    balls: vec![id],
+                    words: said,
+                }],
+                horizon: rotates.then_some(n[0]),
+                divergence: vec![ReplayDivergence {
+                    run: runs[0],
+                    against: runs[1],
+                    points: vec![[n[0], n[1]]],
+                }],
+                remark,
+            }
+        },
+    )
 }
 
 /// A document with up to two pages, one of them deeper.

@@ -1,0 +1,29 @@
+//! Replays: what is left out is given by the rest, what a browser decodes is what the engines did, and pages keep to their policy.
+
+mod bytes;
+mod pages;
+mod thinning;
+
+use carom::scene::{Scene, catalogue};
+use carom::study::compare::{self, Outcome};
+use carom::study::{Column, Timing, Watch};
+use std::sync::atomic::AtomicBool;
+
+/// A scene compared in the engines of a list, or in those of a report.
+fn compared(scene: &Scene, engines: Option<&str>) -> Outcome {
+    let named = engines.map_or_else(compare::default_columns, |list| Column::list(list).unwrap());
+    let columns: Vec<Column> = compare::plan(&named)
+        .iter()
+        .map(|column| column.as_tried(scene))
+        .collect();
+    let cancelled = AtomicBool::new(false);
+    let watch = Watch {
+        progress: &|_, _, _| {},
+        cancelled: &cancelled,
+    };
+    compare::study(scene, None, &columns, Timing::None, watch)
+}
+
+fn scene(name: &str) -> Scene {
+    catalogue::scene(name).unwrap()
+}
