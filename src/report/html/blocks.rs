@@ -16,7 +16,7 @@ const LONG: usize = 24;
 const MOST_POINTS: usize = 300;
 
 /// Largest data of a replay, bytes: with the script and all else a page stays below 1.5 MB.
-const MOST_DATA: usize = 560_000;
+const MOST_DATA: usize = 620_000;
 
 /// How the element of a replay begins; no words can, since they are escaped.
 pub const REPLAY: &str = "<div class=\"replay\"";
@@ -311,7 +311,16 @@ fn data(figure: &Figure) -> String {
                 .trim_end()
                 .to_owned()
         };
-        let marks: Vec<String> = figure.marks.iter().map(mark).collect();
+        // of many, those without words are only counted; JSON has them all
+        let many = figure.marks.len() > MOST_POINTS;
+        let (listed, counted): (Vec<_>, Vec<_>) = figure
+            .marks
+            .iter()
+            .partition(|mark| !many || !mark.label.is_empty());
+        let mut marks: Vec<String> = listed.into_iter().map(mark).collect();
+        if !counted.is_empty() {
+            marks.push(format!("{} without words", counted.len()));
+        }
         html += &format!("<p class=\"note\">Marks: {}.</p>\n", marks.join("; "));
     }
     html
