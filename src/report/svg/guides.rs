@@ -16,7 +16,7 @@ pub fn lines(figure: &Figure, plane: &Plane) -> String {
         let series = figure.series.iter().filter(|s| s.style == wanted);
         series.map(|series| line(class, series, plane)).collect()
     };
-    of(Style::Band, "b") + &of(Style::Guide, "h")
+    of(Style::Band, "b") + &of(Style::Guide, "j")
 }
 
 /// The name of every guide; `corners`: left, top, right, bottom of the plot, px.
