@@ -1,10 +1,7 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
-<<<<<<< HEAD
-mod certainty;
-=======
 pub mod answer;
->>>>>>> 1c59f89fec67459cb99e3f3758ea17be18ec0c47
+mod certainty;
 pub mod check;
 pub mod claims;
 pub mod compare;
