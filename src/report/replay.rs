@@ -6,6 +6,7 @@
 //! compresses better. The whole is a raw deflate stream in base64.
 
 use crate::finding::{Replay, ReplayRun};
+use crate::math::Vec3;
 use crate::trace::Knot;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -94,25 +95,23 @@ fn of_run(run: &ReplayRun, replay: &Replay) -> Value {
 /// All numbers of all knots.
 fn columns(run: &ReplayRun, replay: &Replay) -> Vec<u8> {
     let (length, speed) = (replay.radius, replay.speed_scale);
-    let origin = replay.origin;
-    let mut columns: Vec<Box<dyn Fn(&Knot) -> f64>> = vec![Box::new(|knot| knot.time)];
-    for axis in 0..3 {
-        columns.push(Box::new(move |knot| {
-            (knot.state.position[axis] - origin[axis]) / length
-        }));
-    }
-    for axis in 0..3 {
-        columns.push(Box::new(move |knot| knot.state.velocity[axis] / speed));
-    }
-    for axis in (0..3).filter(|_| replay.rotates) {
-        columns.push(Box::new(move |knot| knot.state.spin[axis] / speed * length));
-    }
+    let origin = Vec3::from(replay.origin);
+    let row = |knot: &Knot| -> Vec<f64> {
+        let state = &knot.state;
+        let mut row = vec![knot.time];
+        row.extend(&((state.position - origin) / length));
+        row.extend(&(state.velocity / speed));
+        if replay.rotates {
+            row.extend(&(state.spin / speed * length));
+        }
+        row
+    };
+    let knots = run.paths.iter().flat_map(|path| &path.knots);
+    let rows: Vec<Vec<f64>> = knots.map(row).collect();
     let mut bytes = Vec::new();
-    for column in columns {
-        let knots = run.paths.iter().flat_map(|path| &path.knots);
-        let numbers: Vec<[u8; 4]> = knots
-            .map(|knot| (column(knot) as f32).to_le_bytes())
-            .collect();
+    for column in 0..rows.first().map_or(0, Vec::len) {
+        let numbers = rows.iter().map(|row| (row[column] as f32).to_le_bytes());
+        let numbers: Vec<[u8; 4]> = numbers.collect();
         for plane in 0..4 {
             bytes.extend(numbers.iter().map(|number| number[plane]));
         }
