@@ -32,17 +32,26 @@ fn words() -> impl Strategy<Value = String> {
 
 fn figure() -> impl Strategy<Value = Figure> {
     let axis = || {
-        (words(), words(), any::<bool>()).prop_map(|(label, unit, log)| Axis { label, unit, log })
+        let names = prop_oneof![
+            3 => Just(Vec::new()),
+            1 => prop::collection::vec(words(), 1..5),
+        ];
+        (words(), words(), any::<bool>(), names).prop_map(|(label, unit, log, names)| Axis {
+            label,
+            unit,
+            log,
+            names: names.into(),
+        })
     };
     let style = prop_oneof![
         Just(Style::Line),
         Just(Style::Points),
-        Just(Style::Words),
         Just(Style::Rings),
         Just(Style::Crosses),
         Just(Style::Guide),
         Just(Style::Band),
         prop::sample::select(SIGNS.to_vec()).prop_map(Style::Tiles),
+        Just(Style::Words),
         number().prop_map(Style::Discs)
     ];
     let points = prop::collection::vec([number(), number()], 0..12);
