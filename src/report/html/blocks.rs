@@ -1,6 +1,7 @@
 //! Blocks of a page as HTML.
 
 use super::super::cell::{shown, significant};
+use super::super::csv;
 use super::super::names::{Page, Pages};
 use super::super::replay::data as replay_data;
 use super::super::svg::{self, escape};
@@ -261,7 +262,9 @@ fn data(figure: &Figure) -> String {
     let headings = if points <= MOST_POINTS {
         for series in &figure.series {
             for [x, y] in &series.points {
-                rows += &line(&series.name, &[shortest(*x), shortest(*y)]);
+                let places = [(&figure.x, *x), (&figure.y, *y)];
+                let places = places.map(|(axis, x)| escape(&csv::place(axis, x)));
+                rows += &line(&series.name, &places);
             }
         }
         vec![x, y]
@@ -276,10 +279,15 @@ fn data(figure: &Figure) -> String {
                 let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
                     (lo.min(x), hi.max(x))
                 });
+                let on = if axis == 0 { &figure.x } else { &figure.y };
+                let at = |x: f64| match on.name_at(x) {
+                    Some(name) => escape(name),
+                    None => significant(x),
+                };
                 if lo > hi {
                     String::new()
                 } else {
-                    format!("{} to {}", significant(lo), significant(hi))
+                    format!("{} to {}", at(lo), at(hi))
                 }
             };
             rows += &line(
