@@ -46,12 +46,12 @@ fn figure() -> impl Strategy<Value = Figure> {
     let style = prop_oneof![
         Just(Style::Line),
         Just(Style::Points),
+        Just(Style::Words),
         Just(Style::Rings),
         Just(Style::Crosses),
         Just(Style::Guide),
         Just(Style::Band),
         prop::sample::select(SIGNS.to_vec()).prop_map(Style::Tiles),
-        Just(Style::Words),
         number().prop_map(Style::Discs)
     ];
     let points = prop::collection::vec([number(), number()], 0..12);
