@@ -146,6 +146,8 @@ pub struct Axis {
     pub unit: String,
     /// Logarithmic; points at or below zero are left out and counted in the caption by the writer.
     pub log: bool,
+    /// Words in place of numbers: the first stands at 1, the second at 2; on a vertical axis from the top down. Empty for numbers.
+    pub names: Box<[String]>,
 }
 
 impl Axis {
@@ -155,7 +157,22 @@ impl Axis {
             label: label.to_owned(),
             unit: unit.to_owned(),
             log: false,
+            names: Box::default(),
         }
+    }
+
+    /// An axis of words.
+    pub fn of_names(label: &str, names: Vec<String>) -> Self {
+        Axis {
+            names: names.into(),
+            ..Axis::linear(label, "")
+        }
+    }
+
+    /// The words at a place of an axis of words.
+    pub fn name_at(&self, place: f64) -> Option<&str> {
+        let inside = place >= 1.0 && place <= self.names.len() as f64 && place.fract() == 0.0;
+        inside.then(|| self.names[place as usize - 1].as_str())
     }
 
     /// A logarithmic axis.
@@ -183,10 +200,8 @@ pub struct Series {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
-    /// A line.
+    /// A line, with dashes and signs of its own where there are several.
     Line,
-    /// A dashed line.
-    Dashed,
     /// Points.
     Points,
     /// Rings, to go around points that need a warning.
@@ -197,6 +212,28 @@ pub enum Style {
     Discs(f64),
     /// The name of the series, written at each of its points; it has no legend entry.
     Words,
+    /// A thin line to hold others against, its name written at its end instead of in the legend.
+    Guide,
+    /// A broad pale line below all others, such as the front of what is best.
+    Band,
+    /// Fields of a matrix: a square of one unit around each point, and a sign in it.
+    Tiles(Sign),
+}
+
+/// What a field of a matrix looks like: the more ink, the more it asks for attention.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sign {
+    /// A small dot on a pale field.
+    Dot,
+    /// A triangle on a field in a middle shade.
+    Triangle,
+    /// A cross on a dark field.
+    Cross,
+    /// A ring on an empty field.
+    Ring,
+    /// A dash on an empty field.
+    Dash,
 }
 
 /// A vertical line with a few words.

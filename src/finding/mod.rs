@@ -8,7 +8,7 @@ mod replay;
 mod verdict;
 
 pub use document::{
-    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table, Tone,
+    Align, Axis, Block, Cell, Column, Document, Figure, Mark, Series, Sign, Style, Table, Tone,
 };
 pub use replay::{Replay, ReplayBall, ReplayDivergence, ReplayEvent, ReplayParting, ReplayRun};
 pub use verdict::{Hold, Tolerance, Verdict};

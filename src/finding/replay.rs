@@ -86,7 +86,7 @@ pub struct ReplayRun {
     pub ending: String,
     /// What its event times are good to, s.
     pub resolution: f64,
-    /// Everything that happened, by time.
+    /// What happened, by time; the remark of the replay says where there is more.
     pub events: Vec<ReplayEvent>,
     /// One path a ball. The document's JSON leaves them out: they are what `carom run` writes.
     #[serde(skip)]

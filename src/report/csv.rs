@@ -2,7 +2,7 @@
 
 use super::cell::exact_columns;
 use super::names::Pages;
-use crate::finding::{Block, Document, Figure, Table};
+use crate::finding::{Axis, Block, Document, Figure, Table};
 use crate::trace::files::shortest;
 
 /// Every table of a document with its file name: `ID.csv` on the first page, `PAGE/ID.csv` on the others.
@@ -45,15 +45,21 @@ pub fn table(table: &Table) -> String {
     text
 }
 
-/// The points of a figure, every one: `series,x,y`.
+/// The points of a figure, every one: `series,x,y`. On an axis of words a place is its words.
 pub fn figure(figure: &Figure) -> String {
     let mut text = line(["series", "x", "y"].map(str::to_owned));
     for series in &figure.series {
         for [x, y] in &series.points {
-            text += &line([series.name.clone(), shortest(*x), shortest(*y)]);
+            let (x, y) = (place(&figure.x, *x), place(&figure.y, *y));
+            text += &line([series.name.clone(), x, y]);
         }
     }
     text
+}
+
+/// A number of an axis with every digit, or the words that stand there.
+pub fn place(axis: &Axis, x: f64) -> String {
+    axis.name_at(x).map_or_else(|| shortest(x), str::to_owned)
 }
 
 /// One row. A field is quoted where it must be.

@@ -80,7 +80,11 @@ fn table(table: &Table, depth: usize) -> String {
 
 fn figure(figure: &Figure, depth: usize) -> String {
     let axis = |axis: &Axis| {
-        json!({ "label": axis.label, "unit": axis.unit, "log": axis.log }).to_string()
+        let mut fields = json!({ "label": axis.label, "unit": axis.unit, "log": axis.log });
+        if !axis.names.is_empty() {
+            fields["names"] = json!(axis.names);
+        }
+        fields.to_string()
     };
     let corner = |corner: [f64; 2]| corner.map(number);
     let outline = figure

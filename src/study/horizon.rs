@@ -3,6 +3,7 @@
 //! Plan: the exact engine in one precision and in the next finer one. Conclusion: up to which event both can be right, and what moves
 //! the balls before.
 
+use super::certainty;
 use super::compare::{
     describe_ending, describe_growth, describe_kind, describe_scene, describe_span,
 };
@@ -10,7 +11,7 @@ use crate::engine::exact::horizon::{BAND, Horizon, Limit, Sight, horizon};
 use crate::engine::exact::sensitivity::{Influence, influences};
 use crate::engine::exact::{Exact, Precision};
 use crate::engine::{Engine, Limits, Refusal};
-use crate::finding::{Axis, Block, Cell, Column, Document, Figure, Mark, Series, Style, Table};
+use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::scene::Scene;
 use crate::trace::EventKind;
 use std::sync::atomic::AtomicBool;
@@ -54,7 +55,13 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
             horizon.witness.id()
         )),
     ];
-    blocks.push(Block::Figure(growth_figure(scene, horizon)));
+    let growth = horizon.growth.as_ref();
+    let figures = [
+        growth.and_then(|growth| certainty::growth(scene, horizon, growth)),
+        certainty::margins(scene, horizon),
+        certainty::apart(scene, horizon, growth),
+    ];
+    blocks.extend(figures.into_iter().flatten().map(Block::Figure));
     if let Some(sentence) = matters_most(scene, horizon, &influences) {
         blocks.push(Block::Text(sentence));
         blocks.push(Block::Table(influence_table(scene, &influences)));
@@ -217,69 +224,6 @@ fn rows(scene: &Scene, cells: impl Fn(usize) -> Vec<Cell>) -> Vec<Vec<Cell>> {
         row
     };
     scene.balls.iter().enumerate().map(row).collect()
-}
-
-/// Growth, difference of the precisions and estimated error, event by event.
-fn growth_figure(scene: &Scene, horizon: &Horizon) -> Figure {
-    let number = |index: usize| (index + 1) as f64;
-    let radius = scene.smallest_radius();
-    let speed = scene.largest_speed();
-    let growth = horizon.growth.iter().flat_map(|growth| &growth.factors);
-    let series = [
-        (
-            "growth of a perturbation",
-            Style::Line,
-            growth
-                .enumerate()
-                .map(|(i, factor)| [number(i), *factor])
-                .collect::<Vec<_>>(),
-        ),
-        (
-            "difference of the two precisions",
-            Style::Points,
-            horizon
-                .sights
-                .iter()
-                .enumerate()
-                .filter_map(|(i, sight)| Some([number(i), sight.apart?]))
-                .collect(),
-        ),
-        (
-            "estimated error of the time",
-            Style::Dashed,
-            horizon
-                .sights
-                .iter()
-                .enumerate()
-                .filter_map(|(i, sight)| Some([number(i), sight.estimated? * speed / radius]))
-                .collect(),
-        ),
-    ];
-    let mark = (!horizon.is_whole()).then(|| Mark {
-        at: horizon.certain as f64 + 0.5,
-        label: "horizon".to_owned(),
-    });
-    Figure {
-        id: "growth".to_owned(),
-        title: "Growth of perturbations, event by event".to_owned(),
-        caption: "Growth: largest singular value of the tangent map. Difference and estimated error: lengths in R, speeds in the \
-                  largest initial speed, times in R over that speed."
-            .to_owned(),
-        x: Axis::linear("event", ""),
-        y: Axis::log("factor; difference", ""),
-        equal_scale: false,
-        outline: None,
-        series: series
-            .into_iter()
-            .filter(|(_, _, points)| !points.is_empty())
-            .map(|(name, style, points)| Series {
-                name: name.to_owned(),
-                points,
-                style,
-            })
-            .collect(),
-        marks: mark.into_iter().collect(),
-    }
 }
 
 /// Every event with what is known of its certainty.

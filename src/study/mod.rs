@@ -1,6 +1,7 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
 pub mod answer;
+mod certainty;
 pub mod check;
 pub mod claims;
 pub mod compare;
@@ -9,6 +10,7 @@ pub mod curves;
 pub mod effects;
 pub mod ensemble;
 pub mod horizon;
+mod logarithm;
 pub mod matrix;
 pub mod mutation;
 pub mod random;

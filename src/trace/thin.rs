@@ -18,18 +18,31 @@ pub struct Tolerance {
 
 /// Which jumps of a path keep both of their sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Jumps {
+pub enum Jumps<'a> {
     /// Every one.
     All,
-    /// The first of each event: the further exchanges of a contact may be left out, as if nothing had jumped there.
-    FirstOfEvent,
+    /// The first of each event for which the list, by the index of the event, says so: the others, and the further exchanges of a
+    /// contact, may be left out as if nothing had jumped there.
+    FirstOf(&'a [bool]),
+}
+
+impl Jumps<'_> {
+    /// True if the jump into a knot keeps its sides; `first`: it is the first that belongs to its event.
+    fn keeps(self, knot: &Knot, first: bool) -> bool {
+        match (self, knot.after) {
+            (Jumps::FirstOf(wanted), Some(event)) => {
+                first && wanted.get(event as usize).is_none_or(|wanted| *wanted)
+            }
+            _ => true,
+        }
+    }
 }
 
 /// A path with fewer knots. Those of `path` that it lacks are within `tolerance` of its own: position of the cubic, velocity and
 /// spin of the line between two of them.
 ///
-/// Kept are the first and the last knot, both sides of `jumps`, and the first far side of every event. A knot that is not
-/// finite is kept.
+/// Kept are the first and the last knot, both sides of the `jumps`, and the far sides of their events where nothing jumps. A knot
+/// that is not finite is kept.
 pub fn thin(path: &Path, tolerance: Tolerance, jumps: Jumps) -> Path {
     let knots = &path.knots;
     let mut fixed = vec![false; knots.len()];
@@ -37,10 +50,9 @@ pub fn thin(path: &Path, tolerance: Tolerance, jumps: Jumps) -> Path {
     for i in 0..knots.len() {
         let twin = i > 0 && knots[i - 1].time == knots[i].time;
         let first = knots[i].after.is_some_and(|event| seen.insert(event));
-        let again = knots[i].after.is_some() && !first;
-        let jump = twin && !(again && jumps == Jumps::FirstOfEvent);
-        fixed[i] |= first || jump || i == 0 || i + 1 == knots.len();
-        if jump {
+        let kept = jumps.keeps(&knots[i], first);
+        fixed[i] |= (kept && (twin || first)) || i == 0 || i + 1 == knots.len();
+        if kept && twin {
             fixed[i - 1] = true;
         }
     }

@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use carom::engine::{Setting, find, prepare};
-use carom::finding::{Block, Cell, Document, Table};
+use carom::finding::{Block, Cell, Document, Style, Table};
 use carom::physics::{Cloth, Contact, Effects, Friction};
 use carom::scene::{Scene, catalogue};
 use carom::study::effects::{
@@ -408,21 +408,54 @@ fn the_ladder_is_drawn_for_the_worst_ball_and_the_cue_ball() {
     });
     let figures: Vec<_> = figures.collect();
     let ids: Vec<&str> = figures.iter().map(|figure| figure.id.as_str()).collect();
-    assert_eq!(ids, ["ladder", "paths-all", "paths-bare"]);
-    let ladder = figures[0];
-    assert!(ladder.y.log && ladder.marks.len() == LADDER.len());
-    let names: Vec<&str> = ladder.series.iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(ids, ["without", "ladder", "paths-all", "paths-bare"]);
+    let ladder = figures[1];
+    assert!(ladder.x.log && ladder.y.names.len() == LADDER.len());
+    let points: Vec<_> = ladder
+        .series
+        .iter()
+        .filter(|series| series.style == Style::Points)
+        .collect();
+    let names: Vec<&str> = points.iter().map(|s| s.name.as_str()).collect();
     assert_eq!(names, ["exact", "exact, ball cue"]);
-    for series in &ladder.series {
+    let zero = ladder.marks.iter().find(|mark| mark.label == "no change");
+    for series in &points {
         assert_eq!(series.points.len(), LADDER.len());
         assert_eq!(
             series.points[6],
-            [7.0, 0.0],
+            [zero.unwrap().at, 7.0],
             "the last rung is its own reference"
         );
     }
-    let pairs = ladder.series[0].points.iter().zip(&ladder.series[1].points);
-    assert!(pairs.clone().all(|(worst, cue)| worst[1] >= cue[1]));
+    let pairs = points[0].points.iter().zip(&points[1].points);
+    assert!(pairs.clone().all(|(worst, cue)| worst[0] >= cue[0]));
+}
+
+#[test]
+fn what_leaving_an_effect_out_costs_is_drawn_as_the_table_has_it() {
+    let document = page(&ablation(&scene("ladder-pockets")));
+    let figure = document.blocks.iter().find_map(|block| match block {
+        Block::Figure(figure) if figure.id == "without" => Some(figure),
+        _ => None,
+    });
+    let figure = figure.unwrap();
+    let rows = &table(&document, "without").rows;
+    assert!(rows.len() > 3 && figure.y.names.len() == rows.len());
+    let exact = figure.series.iter().find(|s| s.name == "exact").unwrap();
+    for (k, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], Cell::text(figure.y.names[k].clone()));
+        // columns: left out, verdict, along, position
+        let Cell::Owned(moved, _) = &row[3] else {
+            panic!("{row:?} has no change of position");
+        };
+        assert!(*moved > 0.0, "{row:?}");
+        assert_eq!(exact.points[k], [*moved, k as f64 + 1.0], "{row:?}");
+    }
+    let threshold = figure.marks.iter().find(|m| m.label.contains("needed"));
+    assert_eq!(threshold.unwrap().at, THRESHOLD);
+    // the rings go around what changes who falls
+    let rings = figure.series.iter().find(|s| s.style == Style::Rings);
+    assert!(!rings.unwrap().points.is_empty());
 }
 
 #[test]

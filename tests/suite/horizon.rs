@@ -2,7 +2,7 @@
 
 use carom::engine::Refusal;
 use carom::engine::exact::Precision;
-use carom::finding::{Block, Cell, Document, Table};
+use carom::finding::{Block, Cell, Document, Figure, Table};
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Scene, catalogue, parse};
 use carom::study::horizon::study;
@@ -131,4 +131,64 @@ fn a_precision_without_a_witness_and_too_many_balls_are_refused() {
         };
         assert!(message.contains("at most 1000 balls"), "{message}");
     }
+}
+
+fn figure<'a>(document: &'a Document, id: &str) -> &'a Figure {
+    let figures = document.blocks.iter().filter_map(|block| match block {
+        Block::Figure(figure) => Some(figure),
+        _ => None,
+    });
+    let mut found = figures.filter(|figure| figure.id == id);
+    found.next().unwrap_or_else(|| panic!("no figure {id}"))
+}
+
+#[test]
+fn the_pictures_show_what_the_table_of_events_has_and_mark_the_horizon() {
+    let document = page("discs-in-a-box", Precision::F64);
+    let events = table(&document, "events");
+    let place = |key: &str| events.columns.iter().position(|c| c.key == key).unwrap();
+    let numbers = |key: &str| -> Vec<Option<f64>> {
+        let cells = events.rows.iter().map(|row| match row[place(key)] {
+            Cell::Number(x) | Cell::Fixed(x, _) => Some(x),
+            _ => None,
+        });
+        cells.collect()
+    };
+    let (times, growth, margins) = (numbers("time"), numbers("growth"), numbers("margin"));
+    let shown = figure(&document, "growth-discs-in-a-box");
+    assert!(shown.y.log && times.len() > 100);
+    let expected: Vec<[f64; 2]> = times
+        .iter()
+        .zip(&growth)
+        .map(|(time, growth)| [time.unwrap(), growth.unwrap()])
+        .collect();
+    assert_eq!(shown.series[0].points, expected);
+    let shown = figure(&document, "margins-discs-in-a-box");
+    let expected: Vec<[f64; 2]> = margins
+        .iter()
+        .enumerate()
+        .filter_map(|(k, margin)| Some([k as f64 + 1.0, margin.filter(|m| *m > 0.0)?]))
+        .collect();
+    assert_eq!(shown.series[0].points, expected);
+    // the horizon lies between the last event within it and the first beyond
+    let within = events
+        .rows
+        .iter()
+        .filter(|row| row[place("horizon")] == Cell::text("within"))
+        .count();
+    for (id, least, most) in [
+        ("growth", times[within - 1].unwrap(), times[within].unwrap()),
+        ("margins", within as f64, within as f64 + 1.0),
+        ("apart", within as f64, within as f64 + 1.0),
+    ] {
+        let shown = figure(&document, &format!("{id}-discs-in-a-box"));
+        let [mark] = &shown.marks[..] else {
+            panic!("{id}: {:?}", shown.marks);
+        };
+        assert_eq!(mark.label, "horizon");
+        assert!(least < mark.at && mark.at <= most, "{id}: {}", mark.at);
+    }
+    // a whole shot has none
+    let whole = page("report-break", Precision::F64);
+    assert!(figure(&whole, "growth-report-break").marks.is_empty());
 }

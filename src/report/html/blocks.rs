@@ -1,6 +1,7 @@
 //! Blocks of a page as HTML.
 
 use super::super::cell::{shown, significant};
+use super::super::csv;
 use super::super::names::{Page, Pages};
 use super::super::replay::data as replay_data;
 use super::super::svg::{self, escape};
@@ -15,7 +16,7 @@ const LONG: usize = 24;
 const MOST_POINTS: usize = 300;
 
 /// Largest data of a replay, bytes: with the script and all else a page stays below 1.5 MB.
-const MOST_DATA: usize = 560_000;
+const MOST_DATA: usize = 620_000;
 
 /// How the element of a replay begins; no words can, since they are escaped.
 pub const REPLAY: &str = "<div class=\"replay\"";
@@ -261,7 +262,9 @@ fn data(figure: &Figure) -> String {
     let headings = if points <= MOST_POINTS {
         for series in &figure.series {
             for [x, y] in &series.points {
-                rows += &line(&series.name, &[shortest(*x), shortest(*y)]);
+                let places = [(&figure.x, *x), (&figure.y, *y)];
+                let places = places.map(|(axis, x)| escape(&csv::place(axis, x)));
+                rows += &line(&series.name, &places);
             }
         }
         vec![x, y]
@@ -276,10 +279,15 @@ fn data(figure: &Figure) -> String {
                 let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
                     (lo.min(x), hi.max(x))
                 });
+                let on = if axis == 0 { &figure.x } else { &figure.y };
+                let at = |x: f64| match on.name_at(x) {
+                    Some(name) => escape(name),
+                    None => significant(x),
+                };
                 if lo > hi {
                     String::new()
                 } else {
-                    format!("{} to {}", significant(lo), significant(hi))
+                    format!("{} to {}", at(lo), at(hi))
                 }
             };
             rows += &line(
@@ -303,7 +311,16 @@ fn data(figure: &Figure) -> String {
                 .trim_end()
                 .to_owned()
         };
-        let marks: Vec<String> = figure.marks.iter().map(mark).collect();
+        // of many, those without words are only counted; JSON has them all
+        let many = figure.marks.len() > MOST_POINTS;
+        let (listed, counted): (Vec<_>, Vec<_>) = figure
+            .marks
+            .iter()
+            .partition(|mark| !many || !mark.label.is_empty());
+        let mut marks: Vec<String> = listed.into_iter().map(mark).collect();
+        if !counted.is_empty() {
+            marks.push(format!("{} without words", counted.len()));
+        }
         html += &format!("<p class=\"note\">Marks: {}.</p>\n", marks.join("; "));
     }
     html

@@ -1,9 +1,9 @@
-//! The frame of a picture: where everything goes, axes, grid, table.
+//! The frame of a picture: where everything goes, and the table.
 
+use super::axes::Axes;
 use super::scale::Scale;
-use super::ticks::{self, Tick};
-use super::{Plane, WIDTH, escape, legend, marks, px, series, text_width};
-use crate::finding::{Axis, Figure};
+use super::{Plane, WIDTH, guides, legend, marks, px, series, tiles};
+use crate::finding::{Figure, Style};
 
 /// Space below the plot for numbers and the name of the axis, px.
 const BELOW: f64 = 46.0;
@@ -11,6 +11,8 @@ const BELOW: f64 = 46.0;
 const PLOT: f64 = 330.0;
 /// Largest height of a picture of a table, px.
 const TABLE: f64 = 440.0;
+/// Height of a row of a matrix, and of a list, px.
+const ROWS: (f64, f64) = (17.0, 30.0);
 /// Width of the cushions around a table, px.
 const RAIL: f64 = 7.0;
 
@@ -23,6 +25,7 @@ pub struct Frame {
     /// Marks whose labels have no room.
     pub dropped_labels: usize,
     plane: Plane,
+    axes: Axes,
     legend: legend::Legend,
     marks: marks::Marks,
     empty: bool,
@@ -33,22 +36,22 @@ impl Frame {
     pub fn of(figure: &Figure) -> Frame {
         let plane = Plane::of(figure);
         let rail = if figure.outline.is_some() { RAIL } else { 0.0 };
-        let (upright, _) = axes(figure, &plane);
-        let widest = vertical_ticks(&plane)
-            .iter()
-            .map(|tick| text_width(&tick.label, 13.0))
-            .fold(0.0, f64::max);
-        let name = if axis_name(upright).is_empty() {
-            0.0
-        } else {
-            22.0
-        };
-        let left = 14.0 + name + widest + rail;
         let right = 18.0 + rail;
-        let (plot_width, plot_height) = if figure.equal_scale {
-            plane.fitted(WIDTH - left - right, TABLE)
-        } else {
-            (WIDTH - left - right, PLOT)
+        let room = |beside: f64| WIDTH - (14.0 + beside + rail) - right;
+        let height = match figure.y.names.len() {
+            _ if figure.equal_scale => plane.fitted(room(60.0), TABLE).1,
+            0 => PLOT,
+            rows => rows as f64 * row_height(figure),
+        };
+        let width = |beside: f64| match figure.equal_scale {
+            true => plane.fitted(room(beside), TABLE).0,
+            false => room(beside),
+        };
+        let axes = Axes::of(figure, &plane, height, width);
+        let left = 14.0 + axes.left + rail;
+        let (plot_width, plot_height) = match figure.equal_scale {
+            true => plane.fitted(WIDTH - left - right, TABLE),
+            false => (WIDTH - left - right, height),
         };
         let legend = legend::Legend::of(figure, WIDTH - left - right + rail);
         let width = (left + plot_width.max(legend.width) + right).clamp(300.0, WIDTH);
@@ -59,13 +62,14 @@ impl Frame {
             ..across
         };
         let marks = marks::Marks::of(figure, &across, plane.on_its_side);
-        let top = 8.0 + legend.height + marks.height + rail;
+        let top = 8.0 + legend.height + marks.height + axes.above + rail;
         Frame {
             width,
             height: top + plot_height + rail + BELOW,
             dropped_labels: marks.dropped,
             plane: plane.placed(left, top, plot_width, plot_height),
             empty: !series::any_place(figure, &plane.placed(left, top, plot_width, plot_height)),
+            axes,
             legend,
             marks,
         }
@@ -77,7 +81,9 @@ impl Frame {
         let rail = if figure.outline.is_some() { RAIL } else { 0.0 };
         let mut svg = self.legend.drawn(left - rail, 8.0);
         svg += &outline(figure, &self.plane, rail);
-        svg += &self.axes(figure, rail);
+        let corners = [left, top, right, bottom];
+        svg += &tiles::drawn(figure, &self.plane);
+        svg += &self.axes.drawn(figure, &self.plane, corners, rail);
         if self.empty {
             let (x, y) = (0.5 * (left + right), 0.5 * (top + bottom));
             svg += &format!(
@@ -86,8 +92,10 @@ impl Frame {
                 px(y)
             );
         }
-        svg += &self.marks.drawn(top - rail, bottom);
-        svg + &series::drawn(figure, &self.plane, &series::Pen::FULL)
+        svg += &self.marks.drawn(top - rail - self.axes.above, bottom);
+        svg += &guides::lines(figure, &self.plane);
+        svg += &series::drawn(figure, &self.plane, &series::Pen::FULL);
+        svg + &guides::names(figure, &self.plane, corners)
     }
 
     /// Left, top, right and bottom of the plot, px.
@@ -96,86 +104,17 @@ impl Frame {
         if self.plane.on_its_side {
             (y.from, x.from, y.to, x.to)
         } else {
-            (x.from, y.to, x.to, y.from)
+            (x.from, y.from.min(y.to), x.to, y.from.max(y.to))
         }
     }
+}
 
-    fn axes(&self, figure: &Figure, rail: f64) -> String {
-        let (left, top, right, bottom) = self.corners();
-        let (upright, level) = axes(figure, &self.plane);
-        let (vertical, horizontal) = if self.plane.on_its_side {
-            (self.plane.x, self.plane.y)
-        } else {
-            (self.plane.y, self.plane.x)
-        };
-        let grid = figure.outline.is_none();
-        let mut lines = String::new();
-        let mut svg = String::new();
-        for tick in vertical_ticks(&self.plane) {
-            let Some(y) = vertical.place(tick.at) else {
-                continue;
-            };
-            let major = !tick.label.is_empty();
-            if grid && major {
-                lines += &format!("M{} {}H{}", px(left), px(y), px(right));
-            } else {
-                lines += &format!(
-                    "M{} {}h-{}",
-                    px(left - rail),
-                    px(y),
-                    if major { 5 } else { 3 }
-                );
-            }
-            if major {
-                let (x, y) = (left - rail - 8.0, y + 4.5);
-                svg += &format!(
-                    "<text class=\"s e\" x=\"{}\" y=\"{}\">{}</text>",
-                    px(x),
-                    px(y),
-                    escape(&tick.label)
-                );
-            }
-        }
-        svg += &format!("<path class=\"g\" d=\"{lines}\"/>");
-        let mut lines = format!("M{} {}H{}", px(left), px(bottom), px(right));
-        if !grid {
-            lines.clear();
-        }
-        for tick in level_ticks(&horizontal) {
-            let Some(x) = horizontal.place(tick.at) else {
-                continue;
-            };
-            let major = !tick.label.is_empty();
-            lines += &format!(
-                "M{} {}v{}",
-                px(x),
-                px(bottom + rail),
-                if major { 5 } else { 3 }
-            );
-            if major {
-                let y = bottom + rail + 18.0;
-                svg += &format!(
-                    "<text class=\"s a\" x=\"{}\" y=\"{}\">{}</text>",
-                    px(x),
-                    px(y),
-                    escape(&tick.label)
-                );
-            }
-        }
-        svg += &format!("<path class=\"x\" d=\"{lines}\"/>");
-        let (x, y) = (0.5 * (left + right), bottom + rail + 38.0);
-        svg += &format!(
-            "<text class=\"a\" x=\"{}\" y=\"{}\">{}</text>",
-            px(x),
-            px(y),
-            escape(&axis_name(level))
-        );
-        let y = 0.5 * (top + bottom);
-        svg + &format!(
-            "<text class=\"a\" transform=\"translate(16 {}) rotate(-90)\">{}</text>",
-            px(y),
-            escape(&axis_name(upright))
-        )
+/// Height of one place of an upright axis of words, px.
+fn row_height(figure: &Figure) -> f64 {
+    let mut series = figure.series.iter();
+    match series.any(|series| matches!(series.style, Style::Tiles(_))) {
+        true => ROWS.0,
+        false => ROWS.1,
     }
 }
 
@@ -204,41 +143,4 @@ pub fn outline(figure: &Figure, plane: &Plane, rail: f64) -> String {
         String::new()
     };
     cushions + &rect("t", 0.0, 0.0)
-}
-
-/// The axis that runs up the paper and the one that runs across it.
-fn axes<'a>(figure: &'a Figure, plane: &Plane) -> (&'a Axis, &'a Axis) {
-    if plane.on_its_side {
-        (&figure.x, &figure.y)
-    } else {
-        (&figure.y, &figure.x)
-    }
-}
-
-fn vertical_ticks(plane: &Plane) -> Vec<Tick> {
-    let scale = if plane.on_its_side { plane.x } else { plane.y };
-    if scale.log {
-        ticks::logarithmic(scale.range)
-    } else {
-        ticks::linear(scale.range, 5)
-    }
-}
-
-fn level_ticks(scale: &Scale) -> Vec<Tick> {
-    if scale.log {
-        ticks::logarithmic(scale.range)
-    } else {
-        ticks::linear(
-            scale.range,
-            (scale.length() / 90.0).clamp(3.0, 9.0) as usize,
-        )
-    }
-}
-
-fn axis_name(axis: &Axis) -> String {
-    if axis.unit.is_empty() {
-        axis.label.clone()
-    } else {
-        format!("{} ({})", axis.label, axis.unit)
-    }
 }

@@ -1,23 +1,32 @@
 //! Figures as SVG: the same bytes for the same figure, readable in black and white, in the dark, and by screen readers.
 //!
-//! Colours are those of Okabe and Ito 2008 (purple and yellow darkened for white paper), which colour-blind people can tell
-//! apart; every series also has its own dashes or its own kind of point. Colours and fonts are style, which a page holds
-//! once ([`STYLE`]), so that a picture follows the page into the dark and onto paper.
+//! Colours are near those of Okabe and Ito 2008, moved until each stands out from the paper and all can be told apart by
+//! colour-blind people (the tests measure both); every series also has its own dashes or its own kind of
+//! point. Colours and fonts are style, which a page holds once ([`STYLE`]), so that a picture follows the page into the
+//! dark and onto paper.
 
+mod axes;
 mod bare;
 mod frame;
+mod guides;
 mod legend;
 mod marks;
 mod scale;
 mod series;
 mod simplify;
 mod ticks;
+mod tiles;
+mod words;
 
 use crate::finding::{Figure, Style};
 use scale::{Extent, Scale, on_axis};
+use words::text_width;
 
 /// The style that every picture needs, once a page.
 pub const STYLE: &str = include_str!("figure.css");
+
+/// Height over width of the flattest picture of a table.
+const FLATTEST: f64 = 0.2;
 
 /// Width of a picture, px.
 const WIDTH: f64 = 860.0;
@@ -96,12 +105,24 @@ pub fn thumbnail(figure: &Figure) -> String {
     svg + "</svg>"
 }
 
-/// Names that have a colour and a legend entry, in order of appearance.
+/// Names that have a colour, in order of appearance.
 fn names(figure: &Figure) -> Vec<&str> {
+    named(figure, |style| {
+        matches!(style, Style::Line | Style::Points | Style::Discs(_))
+    })
+}
+
+/// Names that have an entry in the legend, in order of appearance.
+fn entries(figure: &Figure) -> Vec<&str> {
+    named(figure, |style| {
+        !matches!(style, Style::Guide | Style::Words)
+    })
+}
+
+fn named(figure: &Figure, of: fn(&Style) -> bool) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
-    for series in &figure.series {
-        let written = matches!(series.style, Style::Words);
-        if !written && !series.name.is_empty() && !names.contains(&series.name.as_str()) {
+    for series in figure.series.iter().filter(|series| of(&series.style)) {
+        if !series.name.is_empty() && !names.contains(&series.name.as_str()) {
             names.push(&series.name);
         }
     }
@@ -130,7 +151,7 @@ fn described(figure: &Figure) -> String {
             axis(&figure.x)
         );
     }
-    let names = names(figure);
+    let names = entries(figure);
     if !names.is_empty() {
         text += &format!(" Series: {}.", names.join(", "));
     }
@@ -149,6 +170,9 @@ fn remarks(figure: &Figure, frame: &frame::Frame) -> Vec<String> {
         .filter(|p| on_axis(p[0], log_x).is_none() || on_axis(p[1], log_y).is_none())
         .count();
     let mut remarks = Vec::new();
+    if series::has_signs(figure) {
+        remarks.push("Signs on the lines only tell them apart.".to_owned());
+    }
     let are = |n: usize, what: &str| match n {
         1 => format!("1 point {what}"),
         n => format!("{n} points {what}"),
@@ -179,10 +203,11 @@ fn remarks(figure: &Figure, frame: &frame::Frame) -> Vec<String> {
     remarks
 }
 
-/// Which axes are logarithmic: in a picture of a table, none.
+/// Which axes are logarithmic: in a picture of a table, none; of words, none.
 fn logarithmic(figure: &Figure) -> (bool, bool) {
-    let plan = figure.equal_scale;
-    (figure.x.log && !plan, figure.y.log && !plan)
+    let log =
+        |axis: &crate::finding::Axis| axis.log && !figure.equal_scale && axis.names.is_empty();
+    (log(&figure.x), log(&figure.y))
 }
 
 /// Both axes. A tall picture of a table lies on its side: y to the right, x downwards, which is a turn and no mirror image.
@@ -191,6 +216,7 @@ struct Plane {
     x: Scale,
     y: Scale,
     on_its_side: bool,
+    downwards: bool,
 }
 
 impl Plane {
@@ -204,7 +230,7 @@ impl Plane {
                 Style::Discs(radius) if radius.is_finite() => radius.abs(),
                 _ => 0.0,
             };
-            dots |= !matches!(series.style, Style::Line | Style::Dashed);
+            dots |= !matches!(series.style, Style::Line | Style::Guide | Style::Band);
             for &[px, py] in &series.points {
                 if let (Some(px), Some(py)) = (on_axis(px, log_x), on_axis(py, log_y)) {
                     for side in [-reach, reach] {
@@ -214,11 +240,11 @@ impl Plane {
                 }
             }
         }
+        let outlined = figure.outline.is_some();
         for [px, py] in figure.outline.into_iter().flatten() {
             x.add(on_axis(px, log_x).unwrap_or(f64::NAN));
             y.add(on_axis(py, log_y).unwrap_or(f64::NAN));
         }
-        let outlined = figure.outline.is_some();
         for mark in &figure.marks {
             if let Some(at) = on_axis(mark.at, log_x)
                 && !x.is_empty()
@@ -235,8 +261,16 @@ impl Plane {
         };
         from_zero(&mut x, log_x, 0.1);
         from_zero(&mut y, log_y, 0.4);
-        let widened = |extent: Extent, share: f64| {
-            if outlined {
+        let named = |extent: &mut Extent, names: &[String]| {
+            if !names.is_empty() {
+                extent.add(0.5);
+                extent.add(names.len() as f64 + 0.5);
+            }
+        };
+        named(&mut x, &figure.x.names);
+        named(&mut y, &figure.y.names);
+        let widened = |extent: Extent, share: f64, names: &[String]| {
+            if outlined || !names.is_empty() {
                 return extent.widened(0.0);
             }
             let wide = extent.widened(share);
@@ -247,8 +281,12 @@ impl Plane {
             };
             Extent { lo, ..wide }
         };
-        let x = widened(x, if dots { 0.03 } else { 0.0 });
-        let y = widened(y, 0.05);
+        let mut x = widened(x, if dots { 0.03 } else { 0.0 }, &figure.x.names);
+        let mut y = widened(y, 0.05, &figure.y.names);
+        if figure.equal_scale {
+            let least = FLATTEST * x.half().max(y.half());
+            (x, y) = (x.at_least(least), y.at_least(least));
+        }
         let scale = |range: Extent, log: bool| Scale {
             range,
             log,
@@ -257,6 +295,8 @@ impl Plane {
         };
         Plane {
             on_its_side: figure.equal_scale && y.half() > 1.2 * x.half(),
+            // a list is read from the top down
+            downwards: !figure.equal_scale && !figure.y.names.is_empty(),
             x: scale(x, log_x),
             y: scale(y, log_y),
         }
@@ -282,7 +322,11 @@ impl Plane {
             (self.x.from, self.x.to) = (top, bottom);
         } else {
             (self.x.from, self.x.to) = (left, right);
-            (self.y.from, self.y.to) = (bottom, top);
+            (self.y.from, self.y.to) = if self.downwards {
+                (top, bottom)
+            } else {
+                (bottom, top)
+            };
         }
         self
     }
@@ -318,16 +362,4 @@ pub fn escape(words: &str) -> String {
         }
     }
     safe
-}
-
-/// Width of a line of text, px, to within some percent: enough to keep labels apart.
-fn text_width(words: &str, size: f64) -> f64 {
-    let em = |c: char| match c {
-        'i' | 'l' | 'j' | 't' | 'f' | 'r' | ' ' | '.' | ',' | ':' | '|' | '-' | '(' | ')' => 0.36,
-        'm' | 'w' | 'M' | 'W' | '@' => 0.88,
-        'A'..='Z' => 0.68,
-        c if c.is_ascii() => 0.58,
-        _ => 0.75,
-    };
-    words.chars().map(em).sum::<f64>() * size
 }

@@ -32,6 +32,18 @@ impl Extent {
         self.hi * 0.5 - self.lo * 0.5
     }
 
+    /// The range, at least `half` to both sides of its middle.
+    pub fn at_least(self, half: f64) -> Extent {
+        if self.half() >= half {
+            return self;
+        }
+        let middle = self.lo * 0.5 + self.hi * 0.5;
+        Extent {
+            lo: (middle - half).max(-f64::MAX),
+            hi: (middle + half).min(f64::MAX),
+        }
+    }
+
     /// A range with some distance between its ends, widened by `share` of it on both sides.
     pub fn widened(self, share: f64) -> Extent {
         if self.is_empty() {

@@ -20,7 +20,7 @@ pub fn linear(range: Extent, wanted: usize) -> Vec<Tick> {
     let power = rough.log10().floor();
     let factor = [1.0, 2.0, 5.0]
         .into_iter()
-        .find(|f| *f * 10f64.powf(power) >= rough * 0.999);
+        .find(|f| *f * 10f64.powf(power) >= rough * 0.85);
     let (factor, power) = factor.map_or((1.0, power + 1.0), |factor| (factor, power));
     let step = factor * 10f64.powi(power as i32);
     if !step.is_finite() || step <= 0.0 {
@@ -43,6 +43,37 @@ pub fn linear(range: Extent, wanted: usize) -> Vec<Tick> {
         .collect()
 }
 
+/// Where the numbers along an axis are counted from: 0, or a round number amid them where they differ only in their fifth digit or
+/// later.
+pub fn offset(range: Extent) -> f64 {
+    let width = 2.0 * range.half();
+    let largest = range.lo.abs().max(range.hi.abs());
+    if width.is_nan() || width <= 0.0 || largest / width < 1e4 || largest > 1e15 {
+        return 0.0;
+    }
+    let power = width.log10().ceil();
+    let step = 10f64.powf(power);
+    let offset = ((range.lo * 0.5 + range.hi * 0.5) / step).round() * step;
+    // no more digits than it takes to tell steps apart: the product has its rounding in it
+    let digits = (offset.abs().log10().floor() - power).clamp(0.0, 17.0) as usize;
+    let plain = format!("{offset:.digits$e}").parse();
+    plain.ok().filter(|x: &f64| x.is_finite()).unwrap_or(0.0)
+}
+
+/// The ticks of [`linear`] with labels that are to be added to `offset`.
+pub fn linear_from(offset: f64, range: Extent, wanted: usize) -> Vec<Tick> {
+    let shifted = Extent {
+        lo: range.lo - offset,
+        hi: range.hi - offset,
+    };
+    let ticks = linear(shifted, wanted).into_iter();
+    let tick = |tick: Tick| Tick {
+        at: tick.at + offset,
+        ..tick
+    };
+    ticks.map(tick).collect()
+}
+
 /// `power`: decimal place of the step; `largest`: of all ticks.
 fn label(x: f64, power: i32, largest: f64) -> String {
     if x == 0.0 {
@@ -55,8 +86,8 @@ fn label(x: f64, power: i32, largest: f64) -> String {
     format!("{x:.*}", (-power).max(0) as usize)
 }
 
-/// Ticks of a logarithmic axis whose ends are decimal logarithms.
-pub fn logarithmic(range: Extent) -> Vec<Tick> {
+/// Ticks of a logarithmic axis whose ends are decimal logarithms; about `wanted` of them have a label, never more than twice that.
+pub fn logarithmic(range: Extent, wanted: usize) -> Vec<Tick> {
     let decades = 2.0 * range.half();
     if decades < 1.2 {
         // too short for powers of ten: round numbers instead
@@ -64,10 +95,10 @@ pub fn logarithmic(range: Extent) -> Vec<Tick> {
             lo: 10f64.powf(range.lo),
             hi: 10f64.powf(range.hi),
         };
-        let ticks = linear(numbers, 5).into_iter();
+        let ticks = linear(numbers, wanted.min(5)).into_iter();
         return ticks.filter(|tick| tick.at > 0.0).collect();
     }
-    let every = (decades / 7.0).ceil().max(1.0);
+    let every = (decades / wanted.max(1) as f64).ceil().max(1.0);
     let mut ticks = Vec::new();
     // no f64 is beyond these
     let (first, last) = (
@@ -117,7 +148,7 @@ fn raised(power: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Extent, linear, logarithmic};
+    use super::{Extent, linear, linear_from, logarithmic, offset};
 
     fn labels(ticks: Vec<super::Tick>) -> String {
         let labels: Vec<String> = ticks
@@ -134,6 +165,7 @@ mod tests {
             (0.0, 1.0, "0 0.2 0.4 0.6 0.8 1.0"),
             (0.0, 24.3, "0 5 10 15 20"),
             (-1.0, 1.0, "-1.0 -0.5 0 0.5 1.0"),
+            (0.0, 10.5, "0 2 4 6 8 10"),
             (3e-9, 9e-9, "4e-9 6e-9 8e-9"),
             (1e6, 1.5e6, "1.0e6 1.1e6 1.2e6 1.3e6 1.4e6 1.5e6"),
         ] {
@@ -153,7 +185,30 @@ mod tests {
             (0.0, 0.5, "1.0 1.5 2.0 2.5 3.0"),
         ] {
             assert_eq!(
-                labels(logarithmic(Extent { lo, hi })),
+                labels(logarithmic(Extent { lo, hi }, 7)),
+                expected,
+                "{lo} to {hi}"
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_far_from_zero_are_counted_from_a_round_one() {
+        for (lo, hi, from, expected) in [
+            (1e8, 1e8 + 11.0, 1e8, "0 2 4 6 8 10"),
+            (
+                -12345.3,
+                -12345.1,
+                -12345.0,
+                "-0.30 -0.25 -0.20 -0.15 -0.10",
+            ),
+            (17.44, 17.8, 0.0, "17.5 17.6 17.7 17.8"),
+            (0.0, 1e8, 0.0, "0 2.0e7 4.0e7 6.0e7 8.0e7 1.0e8"),
+        ] {
+            let range = Extent { lo, hi };
+            assert_eq!(offset(range), from, "{lo} to {hi}");
+            assert_eq!(
+                labels(linear_from(from, range, 5)),
                 expected,
                 "{lo} to {hi}"
             );

@@ -2,12 +2,23 @@
 
 use super::words::describe_kind;
 use super::{Entry, Outcome};
+use crate::engine::exact::sensitivity::growth;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
 use crate::scene::Scene;
+use crate::study::certainty;
 use crate::trace::{Path, Trace};
 
 /// Between two knots a path may be curved; it is drawn through this many points.
 const POINTS_PER_CURVE: usize = 8;
+
+/// Growth is drawn on the page of a scene of at most so many balls and events; `carom horizon` draws it for more.
+const FEW_BALLS: usize = 32;
+/// See [`FEW_BALLS`].
+const FEW_EVENTS: usize = 400;
+
+/// What the circles of a picture of the table are.
+pub(in crate::study) const TABLE_CAPTION: &str =
+    "Circles: where the balls ended, or left play. Grey: where they started, and pockets.";
 
 /// Paths of all balls on the table in one engine, with the balls where they ended.
 pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
@@ -21,7 +32,7 @@ pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
     );
     let mut figure = table_picture(scene, trace, &id);
     figure.title = format!("Paths: {label}");
-    figure.caption = "Circles: where the balls ended.".to_owned();
+    figure.caption = TABLE_CAPTION.to_owned();
     Some(figure)
 }
 
@@ -36,11 +47,12 @@ pub(super) fn thumbnail(outcome: &Outcome) -> Option<Figure> {
         .reference
         .or_else(|| outcome.entries.iter().position(complete))?;
     let trace = outcome.entries[shown].trace()?;
-    Some(table_picture(
-        &outcome.scene,
-        trace,
-        &format!("thumbnail-{}", outcome.scene.name),
-    ))
+    let name = &outcome.scene.name;
+    let mut figure = table_picture(&outcome.scene, trace, &format!("thumbnail-{name}"));
+    figure.title = format!("{name}: paths in {}", outcome.entries[shown].label());
+    // too small for more than the paths and their ends
+    figure.series.retain(|series| !series.name.is_empty());
+    Some(figure)
 }
 
 /// Paths and ends of all balls on the table, without words.
@@ -55,6 +67,23 @@ pub(in crate::study) fn table_picture(scene: &Scene, trace: &Trace, id: &str) ->
             "other balls"
         }
     };
+    // in grey, below the paths
+    let grey = |points: Vec<[f64; 2]>, radius: f64| Series {
+        name: String::new(),
+        points,
+        style: Style::Discs(radius),
+    };
+    if let Some(pockets) = &scene.effects.pockets {
+        let circles = pockets.circles.iter();
+        series.extend(circles.map(|[x, y, r]| grey(vec![[*x, *y]], *r)));
+    }
+    for (ball, known) in scene.balls.iter().enumerate() {
+        let knots = &trace.paths[ball].knots;
+        if let Some(first) = knots.first() {
+            let at = first.state.position;
+            series.push(grey(vec![[at.x, at.y]], known.radius));
+        }
+    }
     for (ball, path) in trace.paths.iter().enumerate() {
         let points = plan(path);
         if points.len() > 1 {
@@ -259,6 +288,23 @@ fn parting_mark(standing: &super::Standing, who: &str) -> Option<Mark> {
         at: parting.time(),
         label: format!("{who}: event {}", parting.index + 1),
     })
+}
+
+/// How a perturbation grows, and how sure each event is of its place; of small scenes only, since it takes a matrix an event.
+pub(super) fn certainty(outcome: &Outcome) -> Vec<Figure> {
+    let Some(horizon) = &outcome.horizon else {
+        return Vec::new();
+    };
+    let scene = &outcome.scene;
+    let small = scene.balls.len() <= FEW_BALLS && horizon.sights.len() <= FEW_EVENTS;
+    let growth = small.then(|| growth(scene, &horizon.trace, true)).flatten();
+    let figures = [
+        growth
+            .as_ref()
+            .and_then(|growth| certainty::growth(scene, horizon, growth)),
+        certainty::margins(scene, horizon),
+    ];
+    figures.into_iter().flatten().collect()
 }
 
 /// Names of the events of a trace for a table: index, time, what.

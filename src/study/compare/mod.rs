@@ -13,7 +13,7 @@ mod tables;
 mod words;
 
 pub use causes::Cause;
-pub(super) use figures::table_picture;
+pub(super) use figures::{TABLE_CAPTION, table_picture};
 pub use page::{page, summary, thumbnail};
 pub use replay::replay;
 pub use scale::LengthUnit;

@@ -57,6 +57,11 @@ pub fn page(outcome: &Outcome) -> Document {
     blocks.push(Block::Figure(figures::cue_speed(outcome)));
     blocks.push(Block::Figure(figures::rms_speed(outcome)));
     blocks.extend(figures::divergence(outcome).map(Block::Figure));
+    let certainty = figures::certainty(outcome);
+    if !certainty.is_empty() {
+        blocks.push(Block::Heading("How far it can be believed".to_owned()));
+        blocks.extend(certainty.into_iter().map(Block::Figure));
+    }
     blocks.push(Block::Heading("Ball by ball".to_owned()));
     blocks.push(Block::Table(ball_table(outcome)));
     blocks.push(Block::Table(event_table(outcome)));

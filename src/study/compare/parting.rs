@@ -217,8 +217,9 @@ impl Places {
             if moves(&before) {
                 add(&name(BEFORE), Style::Line, before);
             }
-            if moves(&after) {
-                add(&name(AFTER), Style::Dashed, after);
+            // of a ball that only stands by, one line is enough: where it came from
+            if met && moves(&after) {
+                add(AFTER, Style::Line, after);
             }
             let radius = outcome.scene.balls[ball].radius;
             add(&name(MEETING), Style::Discs(radius), vec![at]);

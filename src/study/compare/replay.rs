@@ -18,7 +18,7 @@ pub const COARSEST: f64 = 0.032;
 const MOST_NUMBERS: usize = 130_000;
 
 /// Events of all runs at most: one takes some 50 bytes of a page.
-const MOST_EVENTS: usize = 4_000;
+const MOST_EVENTS: usize = 5_000;
 
 /// Relative spacing of the numbers in which a browser is told times.
 const ULP: f64 = f32::EPSILON as f64;
@@ -47,26 +47,27 @@ pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
             scene.balls.len()
         ));
     }
-    let traces = || ran.iter().filter_map(|&i| outcome.entries[i].trace());
-    let events: usize = traces().map(|trace| trace.events.len()).sum();
-    if events > MOST_EVENTS {
-        return Err(format!(
-            "{events} events of all engines are too many for a page"
-        ));
-    }
+    let traces: Vec<&Trace> = ran
+        .iter()
+        .filter_map(|&i| outcome.entries[i].trace())
+        .collect();
     let units = Units::of(scene);
-    let end = traces().map(|trace| trace.end_time).fold(0.0, f64::max);
+    let end = traces
+        .iter()
+        .map(|trace| trace.end_time)
+        .fold(0.0, f64::max);
     if end * ULP * units.speed > COARSEST * units.radius {
         return Err(format!(
-            "at {end:e} s the clock of a picture is too coarse for the speed of the balls"
+            "at {end} s the clock of a picture is too coarse for the speed of the balls"
         ));
     }
-    let traces: Vec<&Trace> = traces().collect();
-    let thinned = thinned(&units, scene, &traces)?;
-    let jumps: Vec<Jumps> = thinned.iter().map(|run| run.jumps).collect();
-    let runs = ran.iter().zip(thinned).filter_map(|(&i, thinned)| {
+    let shown = shown(&traces)?;
+    let thinned = thinned(&units, scene, &traces, &shown)?;
+    let remark = remark(outcome, &ran, &shown, &thinned);
+    let runs = ran.iter().zip(thinned).zip(&shown);
+    let runs = runs.filter_map(|((&i, thinned), shown)| {
         let entry = &outcome.entries[i];
-        run(entry, outcome.reference == Some(i), thinned)
+        run(entry, outcome.reference == Some(i), thinned, shown)
     });
     let runs: Vec<ReplayRun> = runs.collect();
     let place = |i: usize| ran.iter().position(|&known| known == i);
@@ -87,7 +88,7 @@ pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
             .collect(),
         rotates: scene.effects.rotates(),
         balls: balls(scene),
-        remark: remark(&runs, &jumps),
+        remark,
         runs,
         partings: partings(outcome, place),
         horizon: outcome
@@ -140,21 +141,45 @@ fn balls(scene: &Scene) -> Vec<ReplayBall> {
     scene.balls.iter().enumerate().map(ball).collect()
 }
 
+/// Which events of each run are shown: all, or where there are too many of all runs, in those with the most of them collisions and
+/// pockets only. Errors: even those are too many.
+fn shown(traces: &[&Trace]) -> Result<Vec<Vec<bool>>, String> {
+    let all = |trace: &&Trace| vec![true; trace.events.len()];
+    let mut shown: Vec<Vec<bool>> = traces.iter().map(all).collect();
+    let mut order: Vec<usize> = (0..traces.len()).collect();
+    order.sort_by_key(|&i| traces[i].events.len());
+    loop {
+        let count = |shown: &Vec<bool>| shown.iter().filter(|shown| **shown).count();
+        let events: usize = shown.iter().map(count).sum();
+        if events <= MOST_EVENTS {
+            return Ok(shown);
+        }
+        let Some(i) = order.pop() else {
+            return Err(format!(
+                "{events} collisions of all engines are too many for a page"
+            ));
+        };
+        let events = traces[i].events.iter();
+        shown[i] = events
+            .map(|event| event.kind.is_collision() || matches!(event.kind, EventKind::Pocket(..)))
+            .collect();
+    }
+}
+
 /// One run's paths with fewer knots, and what they are held to.
 struct Thinned {
     paths: Vec<Path>,
     /// R.
     tolerance: f64,
-    jumps: Jumps,
+    /// Whether every jump is there.
+    every_jump: bool,
 }
 
 impl Thinned {
     fn of(trace: &Trace, units: &Units, tolerance: f64, jumps: Jumps) -> Self {
-        // where further exchanges are left out there is no speed to be held to
-        let of_speeds = match jumps {
-            Jumps::All => tolerance,
-            Jumps::FirstOfEvent => f64::INFINITY,
-        };
+        // where jumps are left out there is no speed to be held to
+        let every_jump = jumps == Jumps::All;
+        let of_speeds = if every_jump { tolerance } else { f64::INFINITY };
         let bounds = Tolerance {
             position: tolerance * units.radius,
             velocity: of_speeds * units.speed,
@@ -164,7 +189,7 @@ impl Thinned {
         Thinned {
             paths: trace.paths.iter().map(thin).collect(),
             tolerance,
-            jumps,
+            every_jump,
         }
     }
 
@@ -173,18 +198,25 @@ impl Thinned {
     }
 
     /// With the next coarser bounds; `None` at the end of what a picture allows.
-    fn coarser(&self, trace: &Trace, units: &Units) -> Option<Self> {
+    fn coarser(&self, trace: &Trace, units: &Units, shown: &[bool]) -> Option<Self> {
         let tolerance = 2.0 * self.tolerance;
-        match self.jumps {
-            _ if tolerance <= COARSEST => Some(Thinned::of(trace, units, tolerance, self.jumps)),
-            Jumps::All => Some(Thinned::of(trace, units, TOLERANCE, Jumps::FirstOfEvent)),
-            Jumps::FirstOfEvent => None,
+        let fewer = Jumps::FirstOf(shown);
+        match self.every_jump {
+            true if tolerance <= COARSEST => Some(Thinned::of(trace, units, tolerance, Jumps::All)),
+            true => Some(Thinned::of(trace, units, TOLERANCE, fewer)),
+            false if tolerance <= COARSEST => Some(Thinned::of(trace, units, tolerance, fewer)),
+            false => None,
         }
     }
 }
 
 /// The paths of every run with few enough knots in all. Errors: there are too many however few a picture allows.
-fn thinned(units: &Units, scene: &Scene, traces: &[&Trace]) -> Result<Vec<Thinned>, String> {
+fn thinned(
+    units: &Units,
+    scene: &Scene,
+    traces: &[&Trace],
+    shown: &[Vec<bool>],
+) -> Result<Vec<Thinned>, String> {
     let columns = if scene.effects.rotates() { 10 } else { 7 };
     let first = |trace: &&Trace| Thinned::of(trace, units, TOLERANCE, Jumps::All);
     let mut runs: Vec<Thinned> = traces.iter().map(first).collect();
@@ -195,7 +227,7 @@ fn thinned(units: &Units, scene: &Scene, traces: &[&Trace]) -> Result<Vec<Thinne
         }
         // the largest run goes one step coarser; if it cannot, nor would the others help
         let largest = (0..runs.len()).max_by_key(|&i| runs[i].knots());
-        let next = largest.and_then(|i| Some((i, runs[i].coarser(traces[i], units)?)));
+        let next = largest.and_then(|i| Some((i, runs[i].coarser(traces[i], units, &shown[i])?)));
         let Some((i, next)) = next else {
             return Err(format!(
                 "{knots} knots, as few as a picture allows, are too many for a page"
@@ -206,23 +238,38 @@ fn thinned(units: &Units, scene: &Scene, traces: &[&Trace]) -> Result<Vec<Thinne
 }
 
 /// What the runs do not show.
-fn remark(runs: &[ReplayRun], thinned: &[Jumps]) -> String {
-    let partly = runs.iter().zip(thinned);
-    let partly: Vec<String> = partly
-        .filter(|(_, jumps)| **jumps == Jumps::FirstOfEvent)
-        .map(|(run, _)| format!("{} (to {} R)", run.label, run.tolerance))
-        .collect();
-    if partly.is_empty() {
-        return String::new();
+fn remark(outcome: &Outcome, ran: &[usize], shown: &[Vec<bool>], thinned: &[Thinned]) -> String {
+    let listed = |wanted: &dyn Fn(usize) -> Option<String>| {
+        let named = (0..ran.len()).filter_map(|k| {
+            let words = wanted(k)?;
+            Some(format!("{}{words}", outcome.entries[ran[k]].label()))
+        });
+        super::page::listed(&named.collect::<Vec<_>>())
+    };
+    let jumps = listed(&|k| {
+        let to = format!(" (to {} R)", thinned[k].tolerance);
+        (!thinned[k].every_jump).then_some(to)
+    });
+    let events = listed(&|k| {
+        let left_out = shown[k].iter().filter(|shown| !**shown).count();
+        (left_out > 0).then(|| format!(" ({left_out})"))
+    });
+    let mut sentences = Vec::new();
+    if !jumps.is_empty() {
+        sentences.push(format!(
+            "In {jumps} balls that stay in contact hit each other again and again: the replay shows where they are, but of their \
+             speeds only some."
+        ));
     }
-    format!(
-        "In {} balls that stay in contact hit each other again and again: the replay shows where they are, but of their speeds only \
-         some.",
-        super::page::listed(&partly)
-    )
+    if !events.is_empty() {
+        sentences.push(format!(
+            "Stops and changes of rolling are too many to be marked in {events}."
+        ));
+    }
+    sentences.join(" ")
 }
 
-fn run(entry: &Entry, reference: bool, thinned: Thinned) -> Option<ReplayRun> {
+fn run(entry: &Entry, reference: bool, thinned: Thinned, shown: &[bool]) -> Option<ReplayRun> {
     let trace = entry.trace()?;
     let all: usize = trace.paths.iter().map(|path| path.knots.len()).sum();
     let event = |event: &crate::trace::Event| {
@@ -234,6 +281,8 @@ fn run(entry: &Entry, reference: bool, thinned: Thinned) -> Option<ReplayRun> {
             b,
         }
     };
+    let events = trace.events.iter().zip(shown);
+    let events = events.filter_map(|(event, shown)| shown.then_some(event));
     Some(ReplayRun {
         label: entry.label(),
         engine: entry.column.engine.id().to_owned(),
@@ -241,7 +290,7 @@ fn run(entry: &Entry, reference: bool, thinned: Thinned) -> Option<ReplayRun> {
         end: trace.end_time,
         ending: words::ending(trace),
         resolution: trace.provenance.resolution,
-        events: trace.events.iter().map(event).collect(),
+        events: events.map(event).collect(),
         left_out: all - thinned.knots(),
         tolerance: thinned.tolerance,
         paths: thinned.paths,

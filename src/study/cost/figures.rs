@@ -1,24 +1,49 @@
 //! Work against precision: what each error costs.
 
+use super::price::{front, noise, offers};
 use super::verdict::GAINS;
 use super::{Measured, Outcome, Point, Quantity};
 use crate::finding::{Axis, Figure, Series, Style};
+use crate::study::logarithm::{beyond, mark, zero_among};
 
-/// Where errors that are zero to the last digit are drawn, in the unit of the quantity.
+/// Where an error of zero is drawn where no error is larger, in the unit of the quantity.
 const ZERO: f64 = f64::EPSILON;
 
-/// A figure a quantity, with the time of a shot, and one with the time of a simulated second.
+/// Families of an engine in the main pictures; further ones vary one parameter of these, and have a picture of their own.
+const MAIN: usize = 2;
+
+/// Orders of convergence whose slopes are drawn.
+const ORDERS: [f64; 2] = [1.0, 2.0];
+
+/// How far above the points the slopes are drawn: a factor on the time.
+const CLEAR: f64 = 2.0;
+
+/// Part of the decades between the best and the worst error that the slopes span.
+const SPAN: f64 = 0.65;
+
+/// A figure a quantity, with the time of a shot; one with the time of a simulated second; one of the families that vary a parameter.
 pub fn all(outcome: &Outcome) -> Vec<Figure> {
-    let shot = |quantity| figure(outcome, quantity, "time per shot", 1.0);
+    let groups = Groups::of(outcome);
+    let shot = |quantity| figure(Some(outcome), &groups.main, quantity, "time per shot", 1.0);
     let mut figures: Vec<Figure> = Quantity::ALL.into_iter().filter_map(shot).collect();
+    let position = Quantity::FinalPosition;
+    // far from the front, which would leave them no room
+    let variants = figure(None, &groups.variants, position, "time per shot", 1.0);
+    figures.extend(variants.map(|figure| Figure {
+        id: "cost-variants".to_owned(),
+        title: format!("{}: families that vary one parameter", figure.title),
+        ..figure
+    }));
     let per_second = figure(
-        outcome,
-        Quantity::FinalPosition,
+        Some(outcome),
+        &groups.main,
+        position,
         "time per simulated second",
         1.0 / outcome.simulated,
     );
     figures.extend(per_second.map(|figure| Figure {
         id: "cost-per-second".to_owned(),
+        title: format!("{}, per simulated second", figure.title),
         ..figure
     }));
     figures
@@ -26,17 +51,99 @@ pub fn all(outcome: &Outcome) -> Vec<Figure> {
 
 /// The figure that says most: final positions.
 pub fn main(outcome: &Outcome) -> Option<Figure> {
-    figure(outcome, Quantity::FinalPosition, "time per shot", 1.0)
+    let main = Groups::of(outcome).main;
+    figure(
+        Some(outcome),
+        &main,
+        Quantity::FinalPosition,
+        "time per shot",
+        1.0,
+    )
 }
 
-fn figure(outcome: &Outcome, quantity: Quantity, time: &str, factor: f64) -> Option<Figure> {
-    let place = |point: &Point| {
-        let error = point.error(quantity).filter(|error| error.is_finite())?;
-        Some([error.max(ZERO), point.seconds()? * factor])
-    };
+/// Which families are drawn together.
+struct Groups<'a> {
+    main: Vec<&'a Measured>,
+    variants: Vec<&'a Measured>,
+}
+
+impl<'a> Groups<'a> {
+    fn of(outcome: &'a Outcome) -> Self {
+        let mut groups = Groups {
+            main: Vec::new(),
+            variants: Vec::new(),
+        };
+        for measured in &outcome.families {
+            let engine = |m: &&&Measured| {
+                m.family.given.engine.id() == measured.family.given.engine.id()
+                    && m.family.given.setting == measured.family.given.setting
+            };
+            if groups.main.iter().filter(engine).count() < MAIN {
+                groups.main.push(measured);
+            } else {
+                groups.variants.push(measured);
+            }
+        }
+        groups
+    }
+}
+
+/// Where points of one quantity are drawn.
+struct Places {
+    quantity: Quantity,
+    /// Where an error of zero stands.
+    zero: f64,
+    /// Where a point without an answer stands.
+    none: f64,
+    /// What a time is multiplied by.
+    factor: f64,
+    /// Whether the axis of errors is logarithmic: a share has zeros that count.
+    log: bool,
+}
+
+impl Places {
+    fn of(families: &[&Measured], quantity: Quantity, factor: f64) -> Self {
+        let points = || families.iter().flat_map(|measured| &measured.points);
+        let errors = || points().filter_map(|point| point.error(quantity));
+        let log = quantity != Quantity::Order;
+        Places {
+            quantity,
+            zero: if log { zero_among(errors(), ZERO) } else { 0.0 },
+            none: if log { beyond(errors(), 1.0) } else { 1.15 },
+            factor,
+            log,
+        }
+    }
+
+    fn place(&self, point: &Point) -> Option<[f64; 2]> {
+        let error = point
+            .error(self.quantity)
+            .filter(|error| error.is_finite())?;
+        Some(self.at(error, point.seconds()?))
+    }
+
+    fn at(&self, error: f64, seconds: f64) -> [f64; 2] {
+        let error = if error > 0.0 { error } else { self.zero };
+        [error, seconds * self.factor]
+    }
+}
+
+/// `front_of`: the study whose front is drawn.
+fn figure(
+    front_of: Option<&Outcome>,
+    families: &[&Measured],
+    quantity: Quantity,
+    time: &str,
+    factor: f64,
+) -> Option<Figure> {
+    let places = Places::of(families, quantity, factor);
     let mut series = Vec::new();
-    for measured in &outcome.families {
-        let points: Vec<[f64; 2]> = measured.points.iter().filter_map(place).collect();
+    for measured in families {
+        let points: Vec<[f64; 2]> = measured
+            .points
+            .iter()
+            .filter_map(|point| places.place(point))
+            .collect();
         if points.is_empty() {
             continue;
         }
@@ -51,28 +158,21 @@ fn figure(outcome: &Outcome, quantity: Quantity, time: &str, factor: f64) -> Opt
     if series.is_empty() {
         return None;
     }
-    let points = || {
-        outcome
-            .families
-            .iter()
-            .flat_map(|measured: &Measured| &measured.points)
-    };
+    let points = || families.iter().flat_map(|measured| &measured.points);
     let gains = |point: &&Point| point.gained().is_some_and(|gained| gained > GAINS);
-    let gaining: Vec<[f64; 2]> = points().filter(gains).filter_map(place).collect();
-    // what has no error stands to the right of all that have one
-    let errors = series
-        .iter()
-        .flat_map(|series| &series.points)
-        .map(|point| point[0]);
-    let beyond = 10.0 * errors.fold(ZERO, f64::max);
-    let failed: Vec<[f64; 2]> = points()
-        .filter(|point| !point.errors.is_empty() && place(point).is_none())
-        .filter_map(|point| Some([beyond, point.seconds()? * factor]))
-        .collect();
-    for (name, points, style) in [
-        ("gains energy", gaining, Style::Rings),
-        ("no answer", failed, Style::Crosses),
-    ] {
+    let failed = points()
+        .filter(|point| !point.errors.is_empty() && places.place(point).is_none())
+        .filter_map(|point| Some([places.none, point.seconds()? * factor]));
+    let gaining = points()
+        .filter(gains)
+        .filter_map(|point| places.place(point));
+    let extra: [(&str, Vec<[f64; 2]>, Style); 2] = [
+        ("gains energy", gaining.collect(), Style::Rings),
+        ("no answer", failed.collect(), Style::Crosses),
+    ];
+    series.extend(slopes(families, &places));
+    series.extend(front_of.and_then(|outcome| edge(outcome, &places)));
+    for (name, points, style) in extra {
         if !points.is_empty() {
             series.push(Series {
                 name: name.to_owned(),
@@ -81,22 +181,91 @@ fn figure(outcome: &Outcome, quantity: Quantity, time: &str, factor: f64) -> Opt
             });
         }
     }
+    let zeros = points().any(|point| point.error(quantity) == Some(0.0));
+    let unanswered = series.iter().any(|s| s.style == Style::Crosses);
+    let mut marks = Vec::new();
+    if zeros && places.log {
+        marks.push(mark(places.zero, "error 0"));
+    }
+    if unanswered {
+        marks.push(mark(places.none, "no answer"));
+    }
+    let label = format!("error of the {}", quantity.name());
     Some(Figure {
         id: format!("cost-{}", quantity.id()),
         title: format!("What an error of the {} costs", quantity.name()),
         caption: format!(
-            "Left and down is better. Error: {}, mean over the starts; one of zero is drawn at {ZERO:.1e}. Time: the shortest of \
-             several runs, alone. A point without an answer, or with one that is infinitely wrong, stands at the right edge.",
-            quantity.what()
+            "Left and down is better. Error: {}, mean over the starts. Time: the shortest of several runs, alone. {}A point without an \
+             answer, or with one that is infinitely wrong, stands at the right edge.",
+            quantity.what(),
+            if places.log {
+                "Thin lines: how a method of order 1 or 2 would fall. "
+            } else {
+                ""
+            }
         ),
-        x: Axis::log(
-            &format!("error of the {}", quantity.name()),
-            quantity.unit(),
-        ),
+        x: match places.log {
+            true => Axis::log(&label, quantity.unit()),
+            false => Axis::linear(&label, "share"),
+        },
         y: Axis::log(time, "s"),
         equal_scale: false,
         outline: None,
         series,
-        marks: Vec::new(),
+        marks,
     })
+}
+
+/// The edge of what can be had: for each error, the shortest time of any setting of the whole study that is as good.
+fn edge(outcome: &Outcome, places: &Places) -> Option<Series> {
+    let offers = offers(outcome, places.quantity);
+    let most = offers.iter().map(|offer| offer.error).fold(0.0, f64::max);
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for offer in front(&offers, noise(outcome)) {
+        let [error, time] = places.at(offer.error, offer.seconds);
+        let before = points.last().map_or(most.max(places.zero), |last| last[0]);
+        points.extend([[before, time], [error, time]]);
+    }
+    (!points.is_empty()).then(|| Series {
+        name: "front: none better for less".to_owned(),
+        points,
+        style: Style::Band,
+    })
+}
+
+/// How errors of methods of some orders fall with time, from the best point of any family whose settings are steps.
+fn slopes(families: &[&Measured], places: &Places) -> Vec<Series> {
+    if !places.log {
+        return Vec::new();
+    }
+    let stepped = families.iter().filter(|measured| {
+        let levels = measured.points.iter();
+        levels.clone().filter(|p| p.level.size.is_some()).count() > 1
+    });
+    let mut points = stepped
+        .flat_map(|measured| &measured.points)
+        .filter(|point| {
+            point
+                .error(places.quantity)
+                .is_some_and(|error| error > 0.0)
+        })
+        .filter_map(|point| places.place(point))
+        .collect::<Vec<_>>();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (Some(best), Some(worst)) = (points.first(), points.last()) else {
+        return Vec::new();
+    };
+    if worst[0] < 10.0 * best[0] {
+        return Vec::new();
+    }
+    let slope = |order: f64| {
+        let fall = (worst[0] / best[0]).powf(SPAN);
+        let from = [best[0], CLEAR * best[1]];
+        Series {
+            name: format!("order {order}"),
+            points: vec![from, [from[0] * fall, from[1] * fall.powf(-1.0 / order)]],
+            style: Style::Guide,
+        }
+    };
+    ORDERS.into_iter().map(slope).collect()
 }

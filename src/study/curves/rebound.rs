@@ -92,15 +92,10 @@ pub(super) fn curve(lab: &Lab<'_>) -> Result<Curve, SceneError> {
                 let points = angles
                     .map(|a| [a, shown.of(&after(*law, a, spin))])
                     .collect();
-                let style = if spin == "rolling" {
-                    Style::Line
-                } else {
-                    Style::Dashed
-                };
                 series.push(line(
                     format!("{}, {spin}", name.trim_start_matches("law of ")),
                     points,
-                    style,
+                    Style::Line,
                 ));
                 for [a, angle, speed] in independent(model, case) {
                     let value = match shown {

@@ -22,6 +22,7 @@ pub fn summary(outcome: &Outcome) -> Document {
         tables::ladder(outcome),
         tables::engines(outcome),
     ];
+    blocks.extend(figures::without(outcome).map(Block::Figure));
     blocks.extend(figures::ladder(outcome).map(Block::Figure));
     blocks.extend(found.into_iter().flatten().map(Block::Table));
     Document {

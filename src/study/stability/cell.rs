@@ -11,7 +11,7 @@ use crate::math::{Vec3, worse};
 use crate::physics::State;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
-use crate::study::compare::table_picture;
+use crate::study::compare::{TABLE_CAPTION, table_picture};
 use crate::study::matrix::{Cell, Column, Ran, Runner};
 use crate::trace::{Ending, Record, Trace};
 
@@ -362,11 +362,11 @@ fn draw(scene: &Scene, label: &str, trace: &Trace, judged: &Judged) -> Figure {
     let id = format!("{}-{label}", scene.name).replace([' ', '=', ':', '.'], "-");
     let mut figure = table_picture(scene, trace, &id);
     figure.title = format!("{label}: {}", judged.why);
-    figure.caption = "Circles: where the balls ended. Points: where it broke.".to_owned();
+    figure.caption = format!("{TABLE_CAPTION} Signs: where it broke.");
     let place = judged.spoken().and_then(|(_, j)| j.place.as_ref());
     for point in place.map_or(Vec::new(), |place| points(trace, place)) {
         figure.series.push(Series {
-            name: "here".to_owned(),
+            name: "broken here".to_owned(),
             points: vec![point],
             style: Style::Points,
         });

@@ -6,6 +6,7 @@
 
 mod against;
 mod cell;
+mod figures;
 mod images;
 mod oracle;
 mod page;

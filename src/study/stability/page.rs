@@ -1,6 +1,6 @@
 //! The document of a matrix of hard cases: what the terminal shows, and the whole page.
 
-use super::{Outcome, tables, words};
+use super::{Outcome, figures, tables, words};
 use crate::finding::{Block, Document};
 use crate::study::compare::{describe_ending, describe_scene};
 
@@ -43,6 +43,17 @@ pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Docu
 /// The whole page: also the rules, and a page a scene with its pictures.
 pub fn page(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
     let mut document = summary(outcome, changed);
+    // each beside its table
+    for (table, figure) in [
+        ("steps", figures::steps(outcome)),
+        ("matrix", figures::matrix(outcome)),
+    ] {
+        let is_it = |block: &Block| matches!(block, Block::Table(known) if known.id == table);
+        let place = document.blocks.iter().position(is_it);
+        if let (Some(place), Some(figure)) = (place, figure) {
+            document.blocks.insert(place, Block::Figure(figure));
+        }
+    }
     document.blocks.push(Block::Table(tables::rules()));
     document
         .blocks

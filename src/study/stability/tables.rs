@@ -99,21 +99,8 @@ pub fn steps(outcome: &Outcome) -> Option<Table> {
     let row = |scene: usize| {
         let mut row = vec![scene_cell(outcome, scene)];
         for &p in &swept {
-            let marks = (0..STEPS.len()).map(|s| {
-                let own = outcome
-                    .of_scene(scene)
-                    .find(|case| match case.planned.role {
-                        Role::Step(preset, step) => (preset, step) == (p, s),
-                        // a preset's own step stands in its place
-                        Role::Preset => {
-                            case.planned.column.label() == outcome.question.presets[p].label()
-                                && super::plan::step_of(&case.planned.column)
-                                    == STEPS[s].parse().ok()
-                        }
-                        Role::Tried => false,
-                    });
-                own.map_or(' ', |case| mark(outcome, case))
-            });
+            let marks = (0..STEPS.len())
+                .map(|s| of_step(outcome, scene, p, s).map_or(' ', |case| mark(outcome, case)));
             row.push(Cell::text(marks.collect::<String>()));
         }
         if tried {
@@ -135,6 +122,21 @@ pub fn steps(outcome: &Outcome) -> Option<Table> {
                tried: settings that the scene asks for."
             .to_owned(),
     })
+}
+
+/// The cell of a scene in a preset with its step replaced; a preset's own step stands in its place.
+pub fn of_step(outcome: &Outcome, scene: usize, preset: usize, step: usize) -> Option<&Case> {
+    outcome
+        .of_scene(scene)
+        .find(|case| match case.planned.role {
+            Role::Step(its_preset, its_step) => (its_preset, its_step) == (preset, step),
+            Role::Preset => {
+                case.planned.column.label() == outcome.question.presets[preset].label()
+                    && super::plan::step_of(&case.planned.column)
+                        == STEPS.get(step).and_then(|step| step.parse().ok())
+            }
+            Role::Tried => false,
+        })
 }
 
 /// Every cell of one scene, with its sentence.

@@ -135,7 +135,7 @@ fn without_further_exchanges_the_first_jump_of_each_event_and_the_places_stay() 
     let mut fewer = 0;
     for seed in 0..60 {
         let path = wandering(seed);
-        let thinned = thin(&path, places, Jumps::FirstOfEvent);
+        let thinned = thin(&path, places, Jumps::FirstOf(&[]));
         fewer += usize::from(thinned.knots.len() < thin(&path, places, Jumps::All).knots.len());
         let mut seen = std::collections::BTreeSet::new();
         for knot in &path.knots {
@@ -157,6 +157,26 @@ fn without_further_exchanges_the_first_jump_of_each_event_and_the_places_stay() 
         assert_eq!(seen.len(), 4);
     }
     assert!(fewer > 0, "no seed has an exchange that can be left out");
+}
+
+#[test]
+fn an_event_that_is_not_wanted_may_be_left_out() {
+    let places = Tolerance {
+        position: f64::INFINITY,
+        velocity: f64::INFINITY,
+        spin: f64::INFINITY,
+    };
+    // event 1 is at the start, which stays as an end; 2 and 4 are wanted: both sides of their first jumps, and of the four jumps
+    // that belong to no event
+    let path = wandering(3);
+    let thinned = thin(
+        &path,
+        places,
+        Jumps::FirstOf(&[false, false, true, false, true]),
+    );
+    let events: Vec<_> = thinned.knots.iter().filter_map(|knot| knot.after).collect();
+    assert_eq!(events, [1, 2, 4]);
+    assert_eq!(thinned.knots.len(), 2 + 2 * 2 + 2 * 4);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Reports: what a document says, every format says, safely and within its limits.
 
+mod colour;
+mod pictures;
 mod random;
 pub mod sample;
 

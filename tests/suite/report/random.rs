@@ -2,12 +2,21 @@
 
 use carom::finding::{
     Align, Axis, Block, Cell, Column, Document, Figure, Mark, Replay, ReplayBall, ReplayDivergence,
-    ReplayEvent, ReplayParting, ReplayRun, Series, Style, Table, Tone,
+    ReplayEvent, ReplayParting, ReplayRun, Series, Sign, Style, Table, Tone,
 };
 use carom::math::Vec3;
 use carom::physics::State;
 use carom::trace::{Knot, Path};
 use proptest::prelude::*;
+
+/// Every sign of a field.
+pub const SIGNS: [Sign; 5] = [
+    Sign::Dot,
+    Sign::Triangle,
+    Sign::Cross,
+    Sign::Ring,
+    Sign::Dash,
+];
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -23,13 +32,26 @@ fn words() -> impl Strategy<Value = String> {
 
 fn figure() -> impl Strategy<Value = Figure> {
     let axis = || {
-        (words(), words(), any::<bool>()).prop_map(|(label, unit, log)| Axis { label, unit, log })
+        let names = prop_oneof![
+            3 => Just(Vec::new()),
+            1 => prop::collection::vec(words(), 1..5),
+        ];
+        (words(), words(), any::<bool>(), names).prop_map(|(label, unit, log, names)| Axis {
+            label,
+            unit,
+            log,
+            names: names.into(),
+        })
     };
     let style = prop_oneof![
         Just(Style::Line),
-        Just(Style::Dashed),
         Just(Style::Points),
         Just(Style::Words),
+        Just(Style::Rings),
+        Just(Style::Crosses),
+        Just(Style::Guide),
+        Just(Style::Band),
+        prop::sample::select(SIGNS.to_vec()).prop_map(Style::Tiles),
         number().prop_map(Style::Discs)
     ];
     let points = prop::collection::vec([number(), number()], 0..12);

@@ -230,7 +230,7 @@ fn cost() -> Figure {
                     [1e-1, 0.012],
                     [5e-1, 0.02],
                 ],
-                style: Style::Dashed,
+                style: Style::Line,
             },
         ],
         marks: vec![],
