@@ -22,7 +22,7 @@ fn picture(scene: &Scene) -> Figure {
             series.push(Series {
                 name: "where it goes".to_owned(),
                 points: way(scene, ball),
-                style: Style::Dashed,
+                style: Style::Line,
             });
         }
         series.push(Series {
