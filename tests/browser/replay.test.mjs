@@ -289,6 +289,7 @@ test("growing plots hide what has not been played", () =>
     await scrub(page, 0.5 * hit.end);
     const [future, over] = await page.locator(".rp-chart").first().evaluate((chart) => [chart.querySelector(".rp-future").getBoundingClientRect(), chart.querySelector(".u-over").getBoundingClientRect()].map(({ left, width }) => ({ left, width })));
     near(future.left - over.left, 0.5 * over.width, 1, "the cover starts at the time shown");
+    near(future.left + future.width, over.left + over.width, 1, "and ends with the plot, or the page would scroll sideways");
     await page.locator(".rp-chart").first().getByText("Data").click();
     await page.locator(".rp-chart tbody tr").first().waitFor();
     assert.equal(await page.locator(".rp-chart").first().locator("tbody tr").count(), 7, "now, and the steps up to half");

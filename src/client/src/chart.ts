@@ -98,7 +98,7 @@ export class Chart {
     const x = plot.valToPos(t, "x");
     this.nowLine.style.transform = `translateX(${x.toFixed(2)}px)`;
     if (this.facts.growing) {
-      this.future.style.transform = `translateX(${x.toFixed(2)}px)`;
+      this.future.style.left = `${x.toFixed(2)}px`;
     }
     const now = performance.now();
     if (!playing || now - this.told > 200) {
