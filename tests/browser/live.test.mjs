@@ -69,7 +69,7 @@ const value = (page, name) => page.locator(`#shot [name="${name}"]:not([type=hid
 /** Presses Start and waits for the answer. */
 async function run(page) {
   await page.getByRole("button", { name: "Start" }).click();
-  await page.locator("#status", { hasText: "engines answered" }).waitFor({ timeout: 60_000 });
+  await page.locator("#status", { hasText: "Answered in" }).waitFor({ timeout: 60_000 });
 }
 
 /** The comparison table as shown: heading row, then one row an engine. */
@@ -274,7 +274,7 @@ test("the scene can be changed as a file, and the fields follow", () =>
     await page.locator("#f-scene").fill(text.replace("mu = 0.2", "mu = 0.31"));
     await page.waitForFunction(() => document.querySelector("#f-friction").value === "0.31");
     await page.getByRole("button", { name: "Run this file" }).click();
-    await page.locator("#status", { hasText: "engines answered" }).waitFor({ timeout: 60_000 });
+    await page.locator("#status", { hasText: "Answered in" }).waitFor({ timeout: 60_000 });
     assert.match(await page.locator("#answer").textContent(), /mu 0\.31/);
   }));
 
@@ -287,6 +287,7 @@ test("a scene of the catalogue is opened by its name", () =>
     assert.equal(await value(page, "angle"), "83.932");
     await run(page);
     assert.match(await page.locator("#answer").textContent(), /6 pockets/);
+    await page.locator(".rp[data-drawn]").waitFor({ timeout: 60_000 });
   }));
 
 test("a shot that takes long can be stopped", () =>
@@ -311,7 +312,7 @@ test("the keyboard alone is enough", () =>
     await page.keyboard.press("Control+A");
     await page.keyboard.type("0.2");
     await page.keyboard.press("Enter");
-    await page.locator("#status", { hasText: "engines answered" }).waitFor({ timeout: 60_000 });
+    await page.locator("#status", { hasText: "Answered in" }).waitFor({ timeout: 60_000 });
     const names = await page.locator("body").ariaSnapshot();
     assert.doesNotMatch(names, /- (button|checkbox|radio|combobox|slider|textbox|spinbutton)(:| \[|$)/m, "no control without a name");
   }));

@@ -202,7 +202,7 @@ class Live {
     const lead = this.answer.querySelector(".lead");
     say(this.lead, lead?.textContent ?? "");
     lead?.remove();
-    this.say(`All engines answered in ${seconds.toFixed(2)} s. ${shot.no_replay ? `There is no replay: ${shot.no_replay}.` : ""}`);
+    this.say(`Answered in ${seconds.toFixed(2)} s. ${shot.no_replay ? `There is no replay: ${shot.no_replay}.` : ""}`);
     if (shot.replay) {
       this.replay = mount(this.stage, shot.replay, { growing: true, autoplay: true });
     }

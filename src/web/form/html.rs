@@ -167,7 +167,7 @@ impl Writer<'_> {
             }
         };
         format!(
-            "<div class=\"field\"><label for=\"{element}\">{}</label>{}<p class=\"hint\" id=\"hint-{element}\">{unit}recommended {}, {}</p>{used}{}</div>\n",
+            "<div class=\"field\"><label for=\"{element}\">{}</label>{}<p class=\"hint\" id=\"hint-{element}\">{unit}recommended {} by the report, {}</p>{used}{}</div>\n",
             input.label,
             self.number(&field.kind, input.name, &value),
             input.recommended,
