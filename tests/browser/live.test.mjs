@@ -1,26 +1,13 @@
 // The live page in a browser, served by the program itself.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
 import { contrasts } from "./contrast.mjs";
 import { launch, open, PHONE, picture } from "./harness.mjs";
-
-const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
-
-/** The program: what CAROM names, or what was built last. */
-function program() {
-  if (process.env.CAROM) {
-    return process.env.CAROM;
-  }
-  const built = ["release", "debug"].map((profile) => join(root, "target", profile, "carom")).filter((file) => statSync(file, { throwIfNoEntry: false }));
-  built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs);
-  assert.ok(built.length > 0, "there is no carom to test: cargo build");
-  return built[0];
-}
+import { program } from "./program.mjs";
 
 const carom = program();
 let browser;
