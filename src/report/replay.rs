@@ -94,24 +94,20 @@ fn of_run(run: &ReplayRun, replay: &Replay) -> Value {
 /// All numbers of all knots.
 fn columns(run: &ReplayRun, replay: &Replay) -> Vec<u8> {
     let (length, speed) = (replay.radius, replay.speed_scale);
-    let origin = replay.origin;
-    let mut columns: Vec<Box<dyn Fn(&Knot) -> f64>> = vec![Box::new(|knot| knot.time)];
-    for axis in 0..3 {
-        columns.push(Box::new(move |knot| {
-            (knot.state.position[axis] - origin[axis]) / length
-        }));
-    }
-    for axis in 0..3 {
-        columns.push(Box::new(move |knot| knot.state.velocity[axis] / speed));
-    }
-    for axis in (0..3).filter(|_| replay.rotates) {
-        columns.push(Box::new(move |knot| knot.state.spin[axis] / speed * length));
-    }
+    let number = |knot: &Knot, column: usize| {
+        let (state, axis) = (&knot.state, (column + 2) % 3);
+        match column {
+            0 => knot.time,
+            1..=3 => (state.position[axis] - replay.origin[axis]) / length,
+            4..=6 => state.velocity[axis] / speed,
+            _ => state.spin[axis] / speed * length,
+        }
+    };
     let mut bytes = Vec::new();
-    for column in columns {
+    for column in 0..if replay.rotates { 10 } else { 7 } {
         let knots = run.paths.iter().flat_map(|path| &path.knots);
         let numbers: Vec<[u8; 4]> = knots
-            .map(|knot| (column(knot) as f32).to_le_bytes())
+            .map(|knot| (number(knot, column) as f32).to_le_bytes())
             .collect();
         for plane in 0..4 {
             bytes.extend(numbers.iter().map(|number| number[plane]));

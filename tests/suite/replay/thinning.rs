@@ -213,13 +213,16 @@ fn a_steady_slide_of_a_hundred_thousand_knots_is_two() {
     assert_eq!(thin(&Path::default(), TOLERANCE, Jumps::All).knots.len(), 0);
 }
 
+/// Whether what lies between two places may be left out.
+type Fits = fn(usize, usize) -> bool;
+
 /// A step that ends up reaching r has doubled up to it (looking at 2 + 4 + ... < 4 r places, the last of them perhaps in vain, another
 /// 2 r) and halved log2 r times with less than 2 r places each: over all steps at most n (6 + 2 log2 n).
 #[test]
 fn the_work_of_thinning_grows_as_n_log_n_whatever_fits() {
     let count = 100_000_usize;
     let most = count * (6 + 2 * count.ilog2() as usize + 2);
-    let pieces: [(&str, fn(usize, usize) -> bool); 5] = [
+    let pieces: [(&str, Fits); 5] = [
         ("everything fits", |_, _| true),
         ("nothing fits", |_, _| false),
         ("stretches of a thousand", |a, b| a / 1000 == b / 1000),
