@@ -85,6 +85,18 @@ export async function serve(pages) {
   return { url: (path) => `http://127.0.0.1:${server.address().port}${path}`, close: () => new Promise((resolve) => server.close(resolve)) };
 }
 
+/** Opens a page at `address`, hands it to `act`, and fails for any complaint or any request that left the machine. */
+export async function visit(browser, address, options, act) {
+  const page = await open(browser, options);
+  try {
+    await page.goto(address);
+    await act(page);
+    page.assertQuiet();
+  } finally {
+    await page.context().close();
+  }
+}
+
 /** The mounted component of a page, once it has drawn. */
 export async function mounted(page) {
   await page.waitForSelector(".rp[data-drawn]", { state: "attached", timeout: 60_000 });

@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { contrasts } from "./contrast.mjs";
-import { launch, open, PHONE, picture } from "./harness.mjs";
+import { launch, PHONE, picture, visit } from "./harness.mjs";
 import { program } from "./program.mjs";
 
 const carom = program();
@@ -31,17 +31,8 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** Opens the page, hands it to `act`, and fails for any complaint or any request that left the machine. */
-async function at(path, options, act) {
-  const page = await open(browser, options);
-  try {
-    await page.goto(new URL(path, address).href);
-    await act(page);
-    page.assertQuiet();
-  } finally {
-    await page.context().close();
-  }
-}
+/** The page at a path of the server. */
+const at = (path, options, act) => visit(browser, new URL(path, address).href, options, act);
 
 const FIVE = { mass: "0.12", force: "118", gravity: "9.7", friction: "0.22", angle: "89.6" };
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { contrasts } from "./contrast.mjs";
-import { DESKTOP, html, launch, mounted, open, PHONE, picture, pixels, readout, scrub, serve, settled } from "./harness.mjs";
+import { DESKTOP, html, launch, mounted, open, PHONE, picture, pixels, readout, scrub, serve, settled, visit } from "./harness.mjs";
 import { crowd, hit, slide, slidingBall, twoBalls } from "./scenes.mjs";
 
 let browser;
@@ -33,18 +33,12 @@ after(async () => {
   await server?.close();
 });
 
-/** Opens a page, hands it to `act` once it has drawn, and fails for any complaint or any request that left the machine. */
-async function at(path, options, act) {
-  const page = await open(browser, options);
-  try {
-    await page.goto(server.url(path));
+/** A page of replays, once it has drawn. */
+const at = (path, options, act) =>
+  visit(browser, server.url(path), options, async (page) => {
     await mounted(page);
     await act(page);
-    page.assertQuiet();
-  } finally {
-    await page.context().close();
-  }
-}
+  });
 
 const time = (page) => page.locator(".rp").first().evaluate((element) => Number(element.dataset.time));
 const state = (page, name) => page.locator(".rp").first().getAttribute(`data-${name}`);

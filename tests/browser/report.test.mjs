@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { DESKTOP, launch, mounted, open, PHONE, picture, pixels, readout, scrub, settled } from "./harness.mjs";
+import { DESKTOP, launch, mounted, PHONE, picture, pixels, readout, scrub, settled, visit } from "./harness.mjs";
 import { program } from "./program.mjs";
 
 const SCENE = "report-break";
@@ -29,18 +29,12 @@ after(async () => {
 
 const address = () => pathToFileURL(join(folder, "pages", `${SCENE}.html`)).href;
 
-/** Opens the page, hands it to `act` once its replay has drawn, and fails for any complaint or any request that left the machine. */
-async function at(options, act) {
-  const page = await open(browser, options);
-  try {
-    await page.goto(address());
+/** The page, once its replay has drawn. */
+const at = (options, act) =>
+  visit(browser, address(), options, async (page) => {
     await mounted(page);
     await act(page);
-    page.assertQuiet();
-  } finally {
-    await page.context().close();
-  }
-}
+  });
 
 const time = (page) => page.locator(".rp").first().evaluate((element) => Number(element.dataset.time));
 
