@@ -1,6 +1,6 @@
 //! Accepted findings as files: what `check` and `stability` do alike with them.
 
-use super::{COULD_NOT_RUN, Failure, NOT_MET, scene, terminal};
+use super::{COULD_NOT_RUN, Failure, NOT_MET, output, scene, terminal};
 use crate::gate::{self, Accepted, Refused};
 use crate::scene::Scene;
 use std::fs;
@@ -47,7 +47,11 @@ pub fn files(folder: &Path, scenes: &[Scene]) -> Vec<PathBuf> {
 
 /// The accepted findings in each file; `None` where there is none. `command`: the one that writes them, such as `carom check`.
 pub fn read(files: &[PathBuf], command: &str) -> Result<Vec<Option<Accepted>>, Failure> {
-    files.iter().map(|file| read_one(file, command)).collect()
+    let read = || files.iter().map(|file| read_one(file, command)).collect();
+    match files.first().and_then(|file| file.parent()) {
+        Some(folder) => output::undisturbed(folder, read)?,
+        None => read(),
+    }
 }
 
 fn read_one(file: &Path, command: &str) -> Result<Option<Accepted>, Failure> {
@@ -86,11 +90,20 @@ pub fn not_met(command: &str) -> ExitCode {
     ExitCode::from(NOT_MET)
 }
 
-/// Says how many files were written.
-pub fn written(written: usize, files: &[PathBuf], folder: &Path) {
+/// Writes the files that changed, all of them by this writer, and says how many they are. `files`: those that could have.
+pub fn write(
+    changes: &[(&PathBuf, String)],
+    files: &[PathBuf],
+    folder: &Path,
+) -> Result<(), Failure> {
+    if !changes.is_empty() {
+        output::write_at(folder, changes)?;
+    }
     terminal::say(&format!(
-        "Accepted: {written} of {} files written below {}.",
+        "Accepted: {} of {} files written below {}.",
+        changes.len(),
         files.len(),
         folder.display()
     ));
+    Ok(())
 }

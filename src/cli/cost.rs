@@ -1,7 +1,7 @@
 //! `carom cost`.
 
 use super::arguments::{CostArguments, parse_engines};
-use super::{Failure, output, publish, scene, terminal};
+use super::{Failure, publish_with, scene, terminal};
 use crate::study::cost::{self, Grid, PriceList};
 use crate::study::{Column, Watch};
 use std::path::{Path, PathBuf};
@@ -37,18 +37,19 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
     } else {
         cost::page(&outcome)
     };
-    let printed = publish(
+    let mut prices = Vec::new();
+    if !outcome.cancelled {
+        let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
+            .map_err(|error| Failure::Message(error.to_string()))?;
+        prices.push((PRICES.to_owned(), list));
+    }
+    publish_with(
         &shown,
         &arguments.format,
         || cost::page(&outcome),
         Some(&folder),
-    );
-    if !outcome.cancelled {
-        let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
-            .map_err(|error| Failure::Message(error.to_string()))?;
-        output::write_file(&folder.join(PRICES), list.as_bytes())?;
-    }
-    printed
+        prices,
+    )
 }
 
 fn folder(report: &Path, scene: &str) -> PathBuf {

@@ -1,7 +1,7 @@
 //! `carom diff`: what of two result folders is not the same.
 
 use super::arguments::DiffArguments;
-use super::{Failure, NOT_MET, publish, scene};
+use super::{Failure, NOT_MET, output, publish, scene};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
@@ -66,16 +66,31 @@ fn read(folder: &Path) -> Result<Results, Failure> {
         let path = folder.join(name);
         fs::read_to_string(&path).map_err(|error| cannot_read(&path, &error))
     };
-    if folder.join(files::RUN).exists() {
-        let four = files::Files {
+    let four = || -> Result<_, Failure> {
+        if !folder.join(files::RUN).exists() {
+            return Ok(None);
+        }
+        Ok(Some(files::Files {
             events: text(files::EVENTS)?,
             samples: text(files::SAMPLES)?,
             final_states: text(files::FINAL)?,
             run: text(files::RUN)?,
-        };
+        }))
+    };
+    if let Some(four) = output::undisturbed(folder, four)?? {
         let trace = files::read(&four).map_err(|error| cannot_read(folder, &error))?;
         return Ok(Results::Trace(Box::new(trace)));
     }
+    let found = output::undisturbed(folder, || baselines_in(folder))??;
+    if found.is_empty() {
+        let why = "it holds neither the files of `carom run` nor baselines of `carom check`";
+        return Err(cannot_read(folder, &why));
+    }
+    Ok(Results::Baselines(found))
+}
+
+/// The baselines in a folder.
+fn baselines_in(folder: &Path) -> Result<BTreeMap<String, Accepted>, Failure> {
     let entries = fs::read_dir(folder).map_err(|error| cannot_read(folder, &error))?;
     let mut found = BTreeMap::new();
     for entry in entries.flatten() {
@@ -87,11 +102,7 @@ fn read(folder: &Path) -> Result<Results, Failure> {
         let accepted = gate::read(&text).map_err(|error| cannot_read(&path, &error))?;
         found.insert(accepted.scene.clone(), accepted);
     }
-    if found.is_empty() {
-        let why = "it holds neither the files of `carom run` nor baselines of `carom check`";
-        return Err(cannot_read(folder, &why));
-    }
-    Ok(Results::Baselines(found))
+    Ok(found)
 }
 
 /// Engine, version and setting of a run.

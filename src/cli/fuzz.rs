@@ -38,7 +38,11 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
     drop(progress);
     let found = !shown.is_empty();
     if let Some(folder) = &arguments.save {
-        output::write_files(folder, shown)?;
+        let files: Vec<_> = shown
+            .iter()
+            .map(|(name, content)| (folder.join(name), content))
+            .collect();
+        output::write_at(folder, &files)?;
     }
     let printed = publish(&document, &arguments.format, || document.clone(), None)?;
     Ok(if found {

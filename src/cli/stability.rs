@@ -1,7 +1,7 @@
 //! `carom stability`.
 
 use super::arguments::{StabilityArguments, parse_engines};
-use super::{Failure, accepted, output, publish, terminal, versions};
+use super::{Failure, accepted, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, catalogue};
@@ -220,7 +220,7 @@ impl Held {
         if let Err(refused) = self.standing().acceptance() {
             return Ok(accepted::refuse(&refused));
         }
-        let mut written = 0;
+        let mut changes = Vec::new();
         for (index, scene) in self.outcome.question.scenes.iter().enumerate() {
             let known = self.accepted[index].is_some() && !self.stale.contains(&scene.name);
             let changed = self
@@ -238,10 +238,9 @@ impl Held {
                 bits: Vec::new(),
                 rows: self.rows(index),
             };
-            output::write_file(&files[index], gate::write(&now).as_bytes())?;
-            written += 1;
+            changes.push((&files[index], gate::write(&now)));
         }
-        accepted::written(written, files, &self.folder);
+        accepted::write(&changes, files, &self.folder)?;
         Ok(ExitCode::SUCCESS)
     }
 

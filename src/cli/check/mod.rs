@@ -205,7 +205,7 @@ fn accept(
     if let Err(refused) = held.standing().acceptance() {
         return Ok(accepted::refuse(&refused));
     }
-    let mut written = 0;
+    let mut changes = Vec::new();
     for ((scene, before), file) in held.outcome.scenes.iter().zip(&held.accepted).zip(files) {
         let known = before.is_some() && !held.stale.contains(&scene.name);
         let changed = held.changes.iter().any(|l| l.scene == scene.name);
@@ -220,10 +220,9 @@ fn accept(
             bits: held.bits_of(&scene.name),
             rows: held.rows(&scene.name),
         };
-        output::write_file(file, gate::write(&now).as_bytes())?;
-        written += 1;
+        changes.push((file, gate::write(&now)));
     }
-    accepted::written(written, files, folder);
+    accepted::write(&changes, files, folder)?;
     for file in &held.unread {
         terminal::say(&format!("No scene reads {file}: remove it."));
     }
