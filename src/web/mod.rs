@@ -12,7 +12,8 @@
 //!
 //! A body is JSON, `{"scene": TEXT, "fields": {NAME: VALUE}, "engines": LIST}` with every part optional, or a form. Answers are JSON;
 //! to a browser that asks for HTML they are whole pages, so that everything works without scripts. Errors are
-//! `{"errors": [{"field", "line", "column", "message", "help"}]}`.
+//! `{"errors": [{"field", "line", "column", "message", "help"}]}`, or a page with the same words. [`answer`] is [`handle`] with a defect
+//! of this program as one more error.
 
 mod asked;
 mod encoding;
@@ -32,6 +33,7 @@ pub use wire::{LARGEST_BODY, LARGEST_HEAD, Request, Response, Unread, read};
 
 use crate::scene::catalogue;
 use asked::Asked;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::AtomicBool;
 
 /// What a server serves.
@@ -68,9 +70,28 @@ const PATHS: [(&str, &str); 4] = [
     ("/shot", "POST"),
 ];
 
+/// The answer to a request, whatever happens: where this program has a defect, the answer says so.
+pub fn answer(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
+    let handled = catch_unwind(AssertUnwindSafe(|| handle(request, site, turns)));
+    handled.unwrap_or_else(|_| {
+        let why =
+            "this request met a defect of carom; what went wrong is on the terminal that it runs in";
+        refused(request, 500, Problem::new(why))
+    })
+}
+
+/// An answer that says what is wrong in the form in which whoever asks shows it: JSON to a script or program, a page to a browser.
+fn refused(request: &Request, status: u16, problem: Problem) -> Response {
+    if request.lists("Accept", "text/html") {
+        page::refused(status, &problem)
+    } else {
+        Response::json(status, problems(&[problem]))
+    }
+}
+
 /// The answer to a request.
 pub fn handle(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
-    let wrong = |status, why: String| Response::json(status, problems(&[Problem::new(why)]));
+    let wrong = |status, why: String| refused(request, status, Problem::new(why));
     if let Err(why) = guard::check(request, site.port) {
         return wrong(403, why);
     }
@@ -100,11 +121,11 @@ fn posted(request: &Request, path: &str, site: &Site, turns: &dyn Turns) -> Resp
             "the Content-Type of the body must be {}",
             known.join(" or ")
         );
-        return Response::json(415, problems(&[Problem::new(why)]));
+        return refused(request, 415, Problem::new(why));
     }
     let asked = match Asked::of_body(request, &site.start) {
         Ok(asked) => asked,
-        Err(problem) => return Response::json(400, problems(&[problem])),
+        Err(problem) => return refused(request, 400, problem),
     };
     match (path, request.lists("Accept", "text/html")) {
         ("/shot", false) => shot::answer(&asked, turns),

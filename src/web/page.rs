@@ -3,6 +3,7 @@
 use super::asked::{Asked, Drawn};
 use super::encoding::link;
 use super::form::is_changed;
+use super::problem::Problem;
 use super::wire::Response;
 use super::{Site, Turns, form, shot, start};
 use crate::report::html;
@@ -67,6 +68,20 @@ pub fn answered(asked: &Asked, turns: &dyn Turns) -> Response {
             }
         }
     }
+}
+
+/// A page that says what is wrong with a request that no form can be filled in for.
+pub fn refused(status: u16, problem: &Problem) -> Response {
+    let words = escape(&problem.message);
+    let help = match problem.help.as_str() {
+        "" => String::new(),
+        help => format!("<p>{}</p>\n", escape(help)),
+    };
+    let html = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>carom play: {status}</title>\n</head>\n\
+         <body>\n<h1>{status}</h1>\n<p>{words}.</p>\n{help}<p><a href=\"/\">To the page</a></p>\n</body>\n</html>\n"
+    );
+    Response::bare_page(status, html)
 }
 
 fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {

@@ -91,6 +91,11 @@ impl Response {
         }
     }
 
+    /// A page that may do nothing.
+    pub fn bare_page(status: u16, body: String) -> Self {
+        Response::page(status, NOTHING.to_owned(), body)
+    }
+
     /// A page, with what it may do.
     pub fn page(status: u16, policy: String, body: String) -> Self {
         Response {
@@ -130,6 +135,7 @@ impl Response {
     }
 }
 
+/// What a status is called.
 fn reason(status: u16) -> &'static str {
     match status {
         200 => "OK",
@@ -143,6 +149,7 @@ fn reason(status: u16) -> &'static str {
         413 => "Content Too Large",
         415 => "Unsupported Media Type",
         431 => "Request Header Fields Too Large",
+        500 => "Internal Server Error",
         501 => "Not Implemented",
         503 => "Service Unavailable",
         _ => "Unknown",

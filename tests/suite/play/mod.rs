@@ -2,6 +2,7 @@
 
 mod answers;
 mod browser;
+mod crowd;
 mod fields;
 mod hostile;
 mod pages;

@@ -1,13 +1,15 @@
 //! `carom play`: the live page on this machine. Sockets, threads and clocks of it are here, what it says is in `web`.
 
+mod connections;
+
 use super::arguments::PlayArguments;
 use super::{Failure, scene, terminal};
-use crate::web::{self, Problem, Request, Response, Site, Turn, Turns, Unread};
+use crate::web::{self, Problem, Response, Site, Turn, Turns, Unread};
+use connections::{Connections, Doing, Entered, Place, end};
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Command, ExitCode, Stdio};
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -22,8 +24,11 @@ const PORTS: u16 = 20;
 /// Most connections at a time; a browser opens six.
 const MOST_CONNECTIONS: usize = 64;
 
-/// How long a request may take to arrive, and an answer to be taken.
+/// How long a request may take to arrive, and an answer to be taken: each in all, however many pieces it has.
 const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How long whoever has sent no request that can be answered may take to hear why, if that is longer than its request had left.
+const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// How long a shot may take.
 const LONGEST_SHOT: Duration = Duration::from_secs(10);
@@ -49,7 +54,6 @@ pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
         site: Site { port, start },
         newest: AtomicU64::new(0),
         running: Mutex::new(()),
-        connections: AtomicUsize::new(0),
     });
     thread::spawn(move || accept(&listener, &server));
     terminal::print(&format!("carom play: {address}\n"))?;
@@ -113,48 +117,38 @@ struct Server {
     newest: AtomicU64,
     /// Held by the shot that runs.
     running: Mutex<()>,
-    connections: AtomicUsize,
 }
 
 fn accept(listener: &TcpListener, server: &Arc<Server>) {
+    let connections = Connections::new(MOST_CONNECTIONS);
     for stream in listener.incoming() {
         let Ok(stream) = stream else {
             // out of descriptors: some connection will end
             thread::sleep(LOOK);
             continue;
         };
-        let place = Place::take(server);
-        // where no thread can be had, the connection is closed
-        let _ = thread::Builder::new().spawn(move || {
-            let mut stream = Timely::new(stream);
-            if place.number <= MOST_CONNECTIONS {
-                place.server.serve(&mut stream);
-            } else {
-                let why = "there are too many connections at a time".to_owned();
-                stream.answer(&refusal(503, why), false);
+        let place = match connections.enter(stream) {
+            Entered::Place(place) => place,
+            Entered::InPlaceOf(place, other, doing) => {
+                if doing == Doing::Asking {
+                    turn_away(&other, "this connection had to make room for a newer one");
+                }
+                end(&other);
+                place
             }
-        });
-    }
-}
-
-/// One of the connections, counted while it is there.
-struct Place {
-    server: Arc<Server>,
-    number: usize,
-}
-
-impl Place {
-    fn take(server: &Arc<Server>) -> Self {
-        Place {
-            server: Arc::clone(server),
-            number: server.connections.fetch_add(1, Ordering::Relaxed) + 1,
+            Entered::Full(socket) => {
+                turn_away(&socket, "there are too many connections at a time");
+                continue;
+            }
+        };
+        let (server, socket) = (Arc::clone(server), Arc::clone(&place.socket));
+        let started = thread::Builder::new().spawn(move || server.serve(&place));
+        if started.is_err() {
+            turn_away(
+                &socket,
+                "the system lets this program start no more threads",
+            );
         }
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        self.server.connections.fetch_sub(1, Ordering::Relaxed);
     }
 }
 
@@ -162,30 +156,54 @@ fn refusal(status: u16, why: String) -> Response {
     Response::json(status, web::problems(&[Problem::new(why)]))
 }
 
+/// Tells a connection that has been told nothing yet why it is not answered, and waits for nothing.
+fn turn_away(mut socket: &TcpStream, why: &str) {
+    let mut words = Vec::new();
+    let response = refusal(503, why.to_owned());
+    if response.write(&mut words, false).is_err() {
+        return;
+    }
+    // a few hundred bytes fit into what the system keeps for a socket to which nothing was written
+    socket.set_write_timeout(Some(LOOK)).ok();
+    let told = socket.write_all(&words);
+    let told = told.and_then(|()| socket.shutdown(Shutdown::Write));
+    // what has come is read: a socket closed with bytes unread takes back what was sent
+    if told.is_ok() && socket.set_nonblocking(true).is_ok() {
+        let (mut piece, mut read) = ([0; 4096], 0);
+        while read < web::LARGEST_HEAD {
+            match socket.read(&mut piece) {
+                Ok(0) | Err(_) => return,
+                Ok(n) => read += n,
+            }
+        }
+    }
+}
+
 impl Server {
     /// Answers the one request of a connection.
-    fn serve(&self, stream: &mut Timely) {
-        let request = match web::read(stream) {
+    fn serve(&self, place: &Place) {
+        let mut stream = Timely::new(&place.socket);
+        let request = match web::read(&mut stream) {
             Ok(request) => request,
             Err(Unread::Gone) => return,
             Err(Unread::Refused(status, why)) => {
-                return stream.answer(&refusal(status, why), false);
+                if place.is(Doing::Taking) {
+                    stream.refuse(&refusal(status, why), place);
+                }
+                return;
             }
         };
-        let answer = || self.answer(&request, &stream.socket);
-        let response = catch_unwind(AssertUnwindSafe(answer)).unwrap_or_else(|_| {
-            let why = "this request met a defect of carom; what went wrong is on its terminal";
-            refusal(500, why.to_owned())
-        });
-        stream.answer(&response, request.method == "HEAD");
-    }
-
-    fn answer(&self, request: &Request, socket: &TcpStream) -> Response {
+        if !place.is(Doing::Waiting) {
+            return;
+        }
         let seat = Seat {
             server: self,
-            socket,
+            socket: &place.socket,
         };
-        web::handle(request, &self.site, &seat)
+        let response = web::answer(&request, &self.site, &seat);
+        if place.is(Doing::Taking) {
+            stream.answer(&response, request.method == "HEAD", place);
+        }
     }
 }
 
@@ -254,24 +272,36 @@ fn is_gone(socket: &TcpStream) -> bool {
 }
 
 /// A socket that gives up when its time is over, however slowly bytes come and go.
-struct Timely {
-    socket: TcpStream,
+struct Timely<'a> {
+    socket: &'a TcpStream,
     until: Instant,
 }
 
-impl Timely {
-    fn new(socket: TcpStream) -> Self {
+impl<'a> Timely<'a> {
+    fn new(socket: &'a TcpStream) -> Self {
         Timely {
             socket,
             until: Instant::now() + PATIENCE,
         }
     }
 
-    /// Sends an answer, and waits a little for it to be taken.
-    fn answer(&mut self, response: &Response, head_only: bool) {
+    /// Sends the answer to a request, which has a time of its own: what came before it was the time of this program.
+    fn answer(&mut self, response: &Response, head_only: bool, place: &Place) {
         self.until = Instant::now() + PATIENCE;
+        self.send(response, head_only, place);
+    }
+
+    /// Says what is wrong with a request, within the time that it had to arrive.
+    fn refuse(&mut self, response: &Response, place: &Place) {
+        self.until = self.until.max(Instant::now() + LAST_WORDS);
+        self.send(response, false, place);
+    }
+
+    /// Sends an answer, and waits for it to be taken as long as there is time.
+    fn send(&mut self, response: &Response, head_only: bool, place: &Place) {
         if response.write(self, head_only).is_err()
             || self.socket.shutdown(Shutdown::Write).is_err()
+            || !place.is(Doing::Leaving)
         {
             return;
         }
@@ -293,14 +323,14 @@ impl Timely {
     }
 }
 
-impl Read for Timely {
+impl Read for Timely<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         self.socket.set_read_timeout(self.left()?)?;
         self.socket.read(buffer)
     }
 }
 
-impl Write for Timely {
+impl Write for Timely<'_> {
     fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
         self.socket.set_write_timeout(self.left()?)?;
         self.socket.write(buffer)
