@@ -23,6 +23,7 @@ mod terminal;
 mod versions;
 
 use crate::finding::Document;
+use crate::scene::is_hidden;
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
 use std::path::Path;
@@ -68,6 +69,15 @@ pub fn main() -> ExitCode {
         Err(error) => {
             // clap's own code for usage errors is 2, for --help and --version 0
             let code = u8::try_from(error.exit_code()).unwrap_or(COULD_NOT_RUN);
+            // clap repeats what it was given; with nothing hidden in it, clap may colour its own words
+            let given = std::env::args_os();
+            if given
+                .into_iter()
+                .any(|word| word.to_string_lossy().contains(is_hidden))
+            {
+                terminal::say(error.render().to_string().trim_end());
+                return ExitCode::from(code);
+            }
             return if error.print().is_ok() {
                 ExitCode::from(code)
             } else {
@@ -82,7 +92,7 @@ pub fn main() -> ExitCode {
             ExitCode::from(COULD_NOT_RUN)
         }
         Err(Failure::Rendered(text)) => {
-            terminal::say(&text);
+            terminal::say_rendered(&text);
             ExitCode::from(COULD_NOT_RUN)
         }
     }
@@ -95,8 +105,21 @@ fn publish(
     page: impl FnOnce() -> Document,
     folder: Option<&Path>,
 ) -> Result<ExitCode, Failure> {
+    publish_with(summary, format, page, folder, Vec::new())
+}
+
+/// The same, with other files that belong to the page; `also`: name and content of each.
+fn publish_with(
+    summary: &Document,
+    format: &str,
+    page: impl FnOnce() -> Document,
+    folder: Option<&Path>,
+    mut also: Vec<(String, String)>,
+) -> Result<ExitCode, Failure> {
     if let Some(folder) = folder {
-        output::write_files(folder, crate::report::site(&page()))?;
+        // the first page last, by which others find their way
+        also.extend(crate::report::site(&page()));
+        output::write_files(folder, also)?;
     }
     let printed = terminal::print(&crate::report::render(summary, format).unwrap_or_default());
     if let Some(folder) = folder {

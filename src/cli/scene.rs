@@ -4,7 +4,10 @@ use super::{COULD_NOT_RUN, Failure, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
 use crate::scene::generate::{Recipe, generate};
-use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
+use crate::scene::{
+    Diagnostic, Diagnostics, Kind, Scene, SceneError, catalogue, is_kebab_case, parse_bytes,
+    printable, schema, spelled,
+};
 use clap::{Args, Subcommand};
 use std::fs;
 use std::io::{self, Write};
@@ -123,11 +126,13 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
             let all_right = check(files, terminal::colour_on_stderr(), &mut out, &mut err)
                 .map_err(|error| Failure::Message(error.to_string()))?;
             let printed = terminal::print(&String::from_utf8_lossy(&out))?;
-            if all_right {
-                return Ok(printed);
+            if !err.is_empty() {
+                terminal::say_rendered(String::from_utf8_lossy(&err).trim_end());
             }
-            terminal::say(String::from_utf8_lossy(&err).trim_end());
-            Ok(ExitCode::from(COULD_NOT_RUN))
+            Ok(match all_right {
+                true => printed,
+                false => ExitCode::from(COULD_NOT_RUN),
+            })
         }
     }
 }
@@ -216,7 +221,7 @@ pub fn show(name: &str) -> Result<&'static str, LoadError> {
     Ok(entry.text)
 }
 
-/// Checks every file; writes `ok` lines to `out` and errors to `err`. True if all are scenes.
+/// Checks every file; writes `ok` lines to `out`, errors and warnings to `err`. True if all are scenes.
 pub fn check(
     files: &[String],
     colour: bool,
@@ -231,6 +236,9 @@ pub fn check(
                 let plural = if balls == 1 { "" } else { "s" };
                 let name = printable(file);
                 writeln!(out, "{name}: ok, {} with {balls} ball{plural}", scene.name)?;
+                if let Some(warnings) = warnings(file) {
+                    writeln!(err, "{}\n", warnings.render(colour))?;
+                }
             }
             Err(error) => {
                 all_right = false;
@@ -239,6 +247,23 @@ pub fn check(
         }
     }
     Ok(all_right)
+}
+
+/// Words of a scene that tables for people show otherwise than they are written.
+fn warnings(scene: &str) -> Option<Diagnostics> {
+    let text = text(scene).ok()?;
+    let problems = spelled(&text).into_iter().filter_map(|spelled| {
+        let is_id = spelled.path.ends_with(".id");
+        let trouble = report::trouble(&spelled.words, is_id)?;
+        let what = spelled.path.rsplit('.').next().unwrap_or_default();
+        let message = format!("{what} {trouble}");
+        let help = "it is shown escaped in tables for people, and to the bit in files for programs; letters, digits and single \
+                    hyphens are shown as they are";
+        Some(Diagnostic::new(Kind::Spelling, spelled.span, message, help))
+    });
+    let problems: Vec<Diagnostic> = problems.collect();
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    (!problems.is_empty()).then(|| Diagnostics::new(scene, text, problems))
 }
 
 /// The JSON Schema of the scene format, as text.

@@ -1,6 +1,7 @@
 //! Stdout, stderr, progress and Ctrl-C.
 
 use super::Failure;
+use crate::scene::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::process::ExitCode;
@@ -25,9 +26,15 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
     }
 }
 
-/// Writes a line for a person to stderr; there is nowhere to report that stderr is gone.
-pub fn say(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{line}");
+/// Writes words for a person to stderr, one line or several, whatever names of files, engines and balls are in them.
+pub fn say(words: &str) {
+    let lines: Vec<String> = words.split('\n').map(printable).collect();
+    say_rendered(&lines.join("\n"));
+}
+
+/// The same for words that are safe for a terminal already, and may be coloured. There is nowhere to report that stderr is gone.
+pub fn say_rendered(words: &str) {
+    let _ = writeln!(io::stderr().lock(), "{words}");
 }
 
 /// True when a person sees stderr in colour.
@@ -71,7 +78,7 @@ impl Progress {
         if let Some(bar) = &self.0 {
             bar.set_length(total as u64);
             bar.set_position(done as u64);
-            bar.set_message(what.to_owned());
+            bar.set_message(printable(what));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! One cell as every format shows it: short for a reader, exact for a program.
 
+use super::words::{in_cell, plain};
 use crate::finding::{Cell, Column, Table};
 use crate::trace::files::shortest;
 
@@ -20,18 +21,20 @@ pub fn significant(x: f64) -> String {
     }
 }
 
-/// What a reader sees.
+/// What a reader sees, in one line; what is markup in a format is for its writer.
 pub fn shown(cell: &Cell) -> String {
     match cell {
         Cell::Empty => String::new(),
-        Cell::Text(words) | Cell::Verdict(_, words) | Cell::Page(_, words) => words.clone(),
+        Cell::Text(words) | Cell::Verdict(_, words) | Cell::Page(_, words) => {
+            in_cell(words).into_owned()
+        }
         Cell::Number(x) => significant(*x),
         Cell::Fixed(x, digits) if x.is_finite() => format!("{x:.*}", usize::from(*digits)),
         Cell::Fixed(x, _) => shortest(*x),
         Cell::Count(n) => n.to_string(),
         Cell::Owned(x, owner) if owner.is_empty() => significant(*x),
-        Cell::Owned(x, owner) => format!("{} ({owner})", significant(*x)),
-        Cell::Picture(figure) => figure.title.clone(),
+        Cell::Owned(x, owner) => format!("{} ({})", significant(*x), plain(owner)),
+        Cell::Picture(figure) => in_cell(&figure.title).into_owned(),
     }
 }
 

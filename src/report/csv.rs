@@ -62,10 +62,10 @@ pub fn place(axis: &Axis, x: f64) -> String {
     axis.name_at(x).map_or_else(|| shortest(x), str::to_owned)
 }
 
-/// One row. A field is quoted where it must be.
+/// One row. A field is quoted where it must be, and where a reader might take it for a title between two tables.
 fn line(fields: impl IntoIterator<Item = String>) -> String {
     let quoted = |field: String| {
-        if field.contains([',', '"', '\n', '\r']) {
+        if field.contains([',', '"', '\n', '\r']) || field.starts_with('#') {
             format!("\"{}\"", field.replace('"', "\"\""))
         } else {
             field

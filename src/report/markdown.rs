@@ -2,6 +2,7 @@
 
 use super::cell::{only_pictures, shown};
 use super::names::{Page, Pages};
+use super::words::{pieces, plain};
 use crate::finding::{Align, Block, Cell, Document, Table};
 
 /// A document and all pages below it, without pictures.
@@ -15,43 +16,46 @@ pub fn write_with(document: &Document, picture: impl Fn(&Page, &str) -> Option<S
     let mut parts = Vec::new();
     for page in &pages.list {
         let hashes = |level: usize| "#".repeat((page.depth + level).min(6));
-        parts.push(format!("{} {}\n", hashes(1), escape(&page.document.title)));
-        if !page.document.lead.is_empty() {
-            parts.push(format!("**{}**\n", escape(&page.document.lead)));
-        }
+        parts.push(format!("{} {}\n", hashes(1), heading(&page.document.title)));
+        parts.push(strong(&page.document.lead));
         for (block, name) in page.document.blocks.iter().zip(&page.blocks) {
             parts.push(match block {
-                Block::Heading(words) => format!("{} {}\n", hashes(2), escape(words)),
+                Block::Heading(words) => format!("{} {}\n", hashes(2), heading(words)),
                 Block::Text(words) => format!("{}\n", paragraph(words)),
                 Block::List(items) => items
                     .iter()
-                    .map(|item| format!("- {}\n", escape(item)))
+                    .map(|item| format!("- {}\n", paragraph(item)))
                     .collect(),
                 Block::Command(command) => format!("{}\n", fence(command)),
                 Block::Table(content) => table_in(content, &pages),
                 Block::Figure(figure) => {
                     let words = format!(
                         "*{}.* {}",
-                        escape(figure.title.trim_end_matches('.')),
-                        escape(&figure.caption)
+                        escape(figure.title.trim_end_matches('.'), Place::Line),
+                        escape(&figure.caption, Place::Line)
                     );
                     match picture(page, name) {
-                        Some(file) => format!("![{}]({file})\n\n{words}\n", escape(&figure.title)),
+                        Some(file) => {
+                            let title = escape(&figure.title, Place::Link);
+                            format!("![{title}]({file})\n\n{words}\n")
+                        }
                         None => format!("{words}\n"),
                     }
                 }
-                Block::Replay(replay) => format!("{}\n", escape(&replay.summary())),
+                Block::Replay(replay) => format!("{}\n", paragraph(&replay.summary())),
             });
         }
     }
+    parts.retain(|part| !part.is_empty());
     parts.join("\n")
 }
 
 /// One table with its title and note.
 fn table_in(table: &Table, pages: &Pages) -> String {
     let mut text = String::new();
-    if !table.title.is_empty() {
-        text += &format!("**{}**\n\n", escape(&table.title));
+    let title = strong(&table.title);
+    if !title.is_empty() {
+        text += &format!("{title}\n");
     }
     let columns: Vec<Vec<String>> = (0..table.columns.len())
         .filter(|&i| !only_pictures(table, i))
@@ -73,10 +77,10 @@ fn table_in(table: &Table, pages: &Pages) -> String {
 /// Heading, rule and cells of one column, all equally long.
 fn column(table: &Table, index: usize, pages: &Pages) -> Vec<String> {
     let column = &table.columns[index];
-    let title = cell_text(&column.title);
+    let title = escape(&column.title, Place::Cell);
     let heading = match column.unit.as_str() {
         "" => title,
-        unit => format!("{title} ({})", cell_text(unit)),
+        unit => format!("{title} ({})", escape(unit, Place::Cell)),
     };
     let mut cells = vec![heading];
     for row in &table.rows {
@@ -109,13 +113,17 @@ fn column(table: &Table, index: usize, pages: &Pages) -> Vec<String> {
 
 /// A cell; a page as a link to its heading.
 fn linked(cell: &Cell, pages: &Pages) -> String {
-    let words = cell_text(&shown(cell));
-    match cell {
-        Cell::Page(id, _) => match pages.find(id) {
-            Some(page) => format!("[{words}](#{})", anchor(&page.document.title)),
-            None => words,
-        },
-        _ => words,
+    let page = match cell {
+        Cell::Page(id, _) => pages.find(id),
+        _ => None,
+    };
+    match page {
+        Some(page) => format!(
+            "[{}](#{})",
+            escape(&shown(cell), Place::Link),
+            anchor(&page.document.title)
+        ),
+        None => escape(&shown(cell), Place::Cell),
     }
 }
 
@@ -129,39 +137,91 @@ fn anchor(title: &str) -> String {
         .collect()
 }
 
-fn cell_text(words: &str) -> String {
-    escape(words).replace('|', "\\|")
+/// Where words stand, which decides what is markup among them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// In a line of their own, or after the sign of a heading.
+    Line,
+    /// In a cell of a table: it ends at a bar.
+    Cell,
+    /// In the words of a link or picture, maybe in a cell: they end at a bracket too.
+    Link,
 }
 
-/// A paragraph whose first character does not make it a heading, list or quotation.
+/// A block whose first characters do not make it a heading, list, quotation, code or rule.
 fn paragraph(words: &str) -> String {
-    let words = escape(words);
+    let words = escape(words, Place::Line);
+    let digits = words.bytes().take_while(u8::is_ascii_digit).count();
+    let (number, rest) = words.split_at(digits);
     if words.starts_with(['#', '-', '+', '>', '=', '~']) {
         format!("\\{words}")
+    } else if digits > 0 && rest.starts_with(['.', ')']) {
+        format!("{number}\\{rest}")
     } else {
         words
     }
 }
 
-/// One line whose characters mean themselves, except that text between two backticks stays code.
-fn escape(words: &str) -> String {
-    let words = words.replace(['\n', '\r', '\t'], " ");
-    let code_allowed = words.matches('`').count().is_multiple_of(2);
+/// A heading: one that ends in `#` would lose it.
+fn heading(words: &str) -> String {
+    let words = escape(words, Place::Line);
+    match words.strip_suffix('#') {
+        Some(words) => format!("{words}\\#"),
+        None => words,
+    }
+}
+
+/// Words in bold print; nothing if there are none.
+fn strong(words: &str) -> String {
+    match escape(words, Place::Line).as_str() {
+        "" => String::new(),
+        words => format!("**{words}**\n"),
+    }
+}
+
+/// One line whose characters mean themselves, except that text between two backticks is code.
+fn escape(words: &str, place: Place) -> String {
+    let words = plain(words);
+    // spaces at the ends have no meaning, and would keep signs around them from having theirs
+    let words = words.trim();
     let mut escaped = String::with_capacity(words.len());
-    let (mut in_code, mut previous) = (false, ' ');
+    for (is_code, piece) in pieces(words) {
+        let bar = piece.contains('|') && place != Place::Line;
+        if is_code && !bar {
+            escaped += &format!("`{piece}`");
+        } else if is_code {
+            // a bar ends a cell within code too
+            escaped += &literal(&format!("`{piece}`"), place);
+        } else {
+            escaped += &literal(piece, place);
+        }
+    }
+    escaped
+}
+
+/// Words without code.
+fn literal(words: &str, place: Place) -> String {
+    let mut escaped = String::with_capacity(words.len());
+    let mut previous = ' ';
     for (at, c) in words.char_indices() {
-        match c {
-            '`' if code_allowed => in_code = !in_code,
-            _ if in_code => {}
-            '\\' | '*' | '<' | '[' | '`' | '&' => escaped.push('\\'),
+        let after = &words[at + c.len_utf8()..];
+        let is_markup = match c {
+            // those of GitHub too: struck out words, sums
+            '\\' | '*' | '<' | '[' | '`' | '&' | '~' | '$' => true,
+            '|' => place != Place::Line,
+            ']' => place == Place::Link,
             // within a word an underscore means itself
             '_' => {
-                let next = words[at + 1..].chars().next().unwrap_or(' ');
-                if !previous.is_alphanumeric() || !next.is_alphanumeric() {
-                    escaped.push('\\');
-                }
+                let next = after.chars().next().unwrap_or(' ');
+                !previous.is_alphanumeric() || !next.is_alphanumeric()
             }
-            _ => {}
+            // viewers make links of addresses
+            ':' => after.starts_with("//"),
+            '.' => words[..at].to_ascii_lowercase().ends_with("www"),
+            _ => false,
+        };
+        if is_markup {
+            escaped.push('\\');
         }
         escaped.push(c);
         previous = c;
@@ -169,13 +229,19 @@ fn escape(words: &str) -> String {
     escaped
 }
 
+/// True for words with signs that have to be escaped in a cell of a table.
+pub fn has_markup(words: &str) -> bool {
+    literal(words, Place::Cell) != words
+}
+
 /// A command as a block of code, whatever backticks it has.
 fn fence(command: &str) -> String {
     let mut fence = "```".to_owned();
+    let command = plain(command);
     while command.contains(&fence) {
         fence.push('`');
     }
-    format!("{fence}sh\n{}\n{fence}", command.trim_end())
+    format!("{fence}sh\n{}\n{fence}", command.trim())
 }
 
 fn length(words: &str) -> usize {

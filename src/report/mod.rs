@@ -9,8 +9,10 @@ mod names;
 pub mod replay;
 pub mod svg;
 pub mod text;
+pub mod words;
 
 use crate::finding::{Block, Document};
+use crate::scene::is_hidden;
 use names::Pages;
 
 /// One format that fits into one stream, as `--format` names it.
@@ -56,6 +58,22 @@ pub fn format(id: &str) -> Option<&'static Format> {
 /// A document in the format called `format`; `None` if there is no such format.
 pub fn render(document: &Document, id: &str) -> Option<String> {
     format(id).map(|format| (format.write)(document))
+}
+
+/// Why words are shown otherwise than they are in a table for people, in words that follow the name of the thing; `None` where they
+/// are shown as they are. `as_name`: the words are a name, in which signs of markup are rarely meant.
+pub fn trouble(name: &str, as_name: bool) -> Option<String> {
+    if let Some(c) = name
+        .chars()
+        .find(|&c| is_hidden(c) && !matches!(c, '\n' | '\r' | '\t'))
+    {
+        let shown = c.escape_default();
+        return Some(format!("has the hidden character {shown}"));
+    }
+    if words::is_formula(name) {
+        return Some("begins as a formula of a spreadsheet does".to_owned());
+    }
+    (as_name && markdown::has_markup(name)).then(|| "has signs that are markup".to_owned())
 }
 
 /// A whole report as files: relative path and content of each.

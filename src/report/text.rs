@@ -1,6 +1,7 @@
 //! Text for a terminal: aligned columns, units in the heading, never more than 100 columns, no colour.
 
 use super::cell::{only_pictures, shown};
+use super::words::plain;
 use crate::finding::{Align, Block, Cell, Column, Document, Figure, Table};
 
 /// No line is longer, in characters.
@@ -106,7 +107,7 @@ impl<'a> Sized<'a> {
     fn of(table: &'a Table, index: usize) -> Self {
         let column = &table.columns[index];
         let owners = table.rows.iter().map(|row| match row.get(index) {
-            Some(Cell::Owned(_, owner)) => length(owner),
+            Some(Cell::Owned(_, owner)) => length(&plain(owner)),
             _ => 0,
         });
         let owners = owners.max().unwrap_or(0);
@@ -116,17 +117,17 @@ impl<'a> Sized<'a> {
                 let space = if owner.is_empty() {
                     3 + owners
                 } else {
-                    owners - length(owner)
+                    owners - length(&plain(owner))
                 };
-                clean(&shown(cell)) + &NO_BREAK.repeat(if owners == 0 { 0 } else { space })
+                shown(cell) + &NO_BREAK.repeat(if owners == 0 { 0 } else { space })
             }
-            Some(cell) => clean(&shown(cell)),
+            Some(cell) => shown(cell),
             None => String::new(),
         };
         let cells: Vec<String> = table.rows.iter().map(cell).collect();
         let longest = cells.iter().map(|cell| length(cell)).max().unwrap_or(0);
         let words = |text: &str| text.split(' ').map(length).max().unwrap_or(0);
-        let heading = words(&clean(&column.title)).max(length(&unit(column)));
+        let heading = words(&plain(&column.title)).max(length(&unit(column)));
         let content = match column.align {
             Align::Left => cells.iter().map(|cell| words(cell)).max().unwrap_or(0),
             Align::Right => longest,
@@ -179,7 +180,7 @@ fn groups(columns: &[Sized]) -> Vec<Vec<(usize, usize)>> {
 /// Heading, rule and rows of the columns of one group.
 fn grid(columns: &[Sized], group: &[(usize, usize)]) -> String {
     let heading =
-        |&(index, width): &(usize, usize)| wrap(&clean(&columns[index].column.title), width);
+        |&(index, width): &(usize, usize)| wrap(&plain(&columns[index].column.title), width);
     let headings: Vec<Vec<String>> = group.iter().map(heading).collect();
     let height = headings.iter().map(Vec::len).max().unwrap_or(0);
     let bottom_aligned = headings.into_iter().map(|mut lines| {
@@ -236,7 +237,7 @@ fn unit(column: &Column) -> String {
     if column.unit.is_empty() {
         String::new()
     } else {
-        format!("({})", clean(&column.unit))
+        format!("({})", plain(&column.unit))
     }
 }
 
@@ -244,7 +245,7 @@ fn unit(column: &Column) -> String {
 fn paragraph(bullet: &str, words: &str) -> String {
     let indent = length(bullet);
     let mut text = String::new();
-    for (i, line) in wrap(&clean(words), WIDTH - indent).into_iter().enumerate() {
+    for (i, line) in wrap(&plain(words), WIDTH - indent).into_iter().enumerate() {
         let margin = if i == 0 {
             bullet.to_owned()
         } else {
@@ -261,7 +262,7 @@ fn shell(command: &str) -> String {
     const ROOM: usize = WIDTH - 8;
     let mut text = "   ".to_owned();
     let mut used = 0;
-    for word in clean(command).split(' ') {
+    for word in plain(command).split(' ') {
         if used > 0 && used + 1 + length(word) > ROOM {
             text += " \\\n     ";
             used = 0;
@@ -304,16 +305,6 @@ fn wrap(words: &str, width: usize) -> Vec<String> {
     }
     lines.push(line);
     lines
-}
-
-/// One line that moves no cursor: line breaks and tabs are spaces, other control characters a mark.
-fn clean(words: &str) -> String {
-    let safe = |c: char| match c {
-        '\n' | '\r' | '\t' => ' ',
-        c if c.is_control() => '\u{fffd}',
-        c => c,
-    };
-    words.chars().map(safe).collect()
 }
 
 fn length(words: &str) -> usize {

@@ -3,9 +3,10 @@
 //! One walk finds all of them at once, each with its position. It knows no key by name: keys, types, ranges and advice come
 //! from the schema, which comes from the types of `file`, so a new key or law is checked as soon as it exists.
 
-use super::diagnostics::{Diagnostic, Kind, nearest, printable};
+use super::diagnostics::{Diagnostic, Kind, nearest};
 use super::format::{ANY_SIZE, advice, keys, kind_of, list, target, variants, wanted, words};
 use super::located::{Located, header, join, last};
+use super::printable::printable;
 use serde_json::Value;
 use std::ops::Range;
 use toml::Spanned;

@@ -3,6 +3,7 @@
 //! A [`Diagnostic`] marks bytes of the text; [`Diagnostics`] holds all of one file and renders them as a compiler does. This
 //! room knows text and positions only, no scene.
 
+use super::printable::{is_hidden, printable};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::borrow::Cow;
 use std::fmt;
@@ -43,6 +44,17 @@ pub enum Kind {
     UnknownBall,
     /// A value that no named effect could use.
     NoEffect,
+    /// Words that a table for people cannot show as they are. The one kind that is no error.
+    Spelling,
+}
+
+impl Kind {
+    fn level(self) -> Level<'static> {
+        match self {
+            Kind::Spelling => Level::WARNING,
+            _ => Level::ERROR,
+        }
+    }
 }
 
 /// One thing that is wrong with a scene file.
@@ -148,7 +160,12 @@ impl Diagnostics {
             .collect();
         if self.problems.len() > SHOWN {
             let more = self.problems.len() - SHOWN;
-            parts.push(format!("error: {}: {more} more errors", self.file));
+            let file = printable(&self.file);
+            let warns = |problem: &Diagnostic| problem.kind == Kind::Spelling;
+            parts.push(match self.problems.iter().all(warns) {
+                true => format!("warning: {file}: {more} more warnings"),
+                false => format!("error: {file}: {more} more errors"),
+            });
         }
         parts.join("\n\n")
     }
@@ -166,7 +183,9 @@ impl Diagnostics {
             .path(printable(&self.file))
             .annotation(primary)
             .annotations(others);
-        let group: Group<'_> = Level::ERROR
+        let group: Group<'_> = problem
+            .kind
+            .level()
             .primary_title(printable(&problem.message))
             .element(snippet)
             .element(Level::HELP.message(printable(&problem.help)));
@@ -197,28 +216,20 @@ impl fmt::Display for Diagnostics {
     }
 }
 
-/// `text` with control characters shown as escapes: a file must not be able to command a terminal.
-pub fn printable(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if c.is_control() {
-            out.extend(c.escape_default());
-        } else {
-            out.push(c);
-        }
-    }
-    out
-}
-
-/// `text` with the control characters beyond ASCII replaced by signs of the same length, so that no mark moves. The renderer
+/// `text` with the hidden characters beyond ASCII replaced by signs of the same length, so that no mark moves. The renderer
 /// shows those of ASCII by their pictures, and passes these on; a terminal may take them for the start of a command.
 fn without_commands(text: &str) -> Cow<'_, str> {
-    let commands = |c: char| c.is_control() && !c.is_ascii();
-    if text.contains(commands) {
-        Cow::Owned(text.replace(commands, "\u{b7}"))
-    } else {
-        Cow::Borrowed(text)
+    let commands = |c: char| is_hidden(c) && !c.is_ascii();
+    if !text.contains(commands) {
+        return Cow::Borrowed(text);
     }
+    let sign = |c: char| match c.len_utf8() {
+        _ if !commands(c) => c,
+        2 => '\u{b7}',
+        3 => char::REPLACEMENT_CHARACTER,
+        _ => '\u{10300}',
+    };
+    Cow::Owned(text.chars().map(sign).collect())
 }
 
 /// A number with at most six significant digits, as a person would write it.

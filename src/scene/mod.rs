@@ -16,15 +16,19 @@ mod laws;
 mod located;
 mod names;
 pub mod perturb;
+mod printable;
 mod rack;
 mod resolve;
 mod resolved;
 mod shot;
+mod spelled;
 
-pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest, printable};
+pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest};
 pub use file::{SceneFile, schema};
 pub use names::is_kebab_case;
+pub use printable::{is_hidden, printable};
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
+pub use spelled::{Spelled, spelled};
 
 use located::Located;
 use std::sync::LazyLock;

@@ -47,3 +47,4 @@ mod stepper_effects;
 mod support;
 mod trace_files;
 mod transcription;
+mod writers;

@@ -1,6 +1,7 @@
 //! What programs of a pipeline read: JUnit XML, and annotations of GitHub's runner.
 
 use crate::gate::{Change, Held};
+use crate::scene::printable;
 use crate::study::check::{Case, Level, ORACLE, State};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::path::Path;
@@ -15,7 +16,7 @@ const SHOWN: usize = 10;
 pub fn junit(held: &Held) -> Result<String, String> {
     let mut report = Report::new("carom check");
     for scene in &held.outcome.scenes {
-        let mut suite = TestSuite::new(scene.name.as_str());
+        let mut suite = TestSuite::new(printable(&scene.name));
         let own = held.outcome.cases.iter().filter(|c| c.scene == scene.name);
         suite.add_test_cases(own.map(|case| test_case(held, case)));
         report.add_test_suite(suite);
@@ -45,7 +46,7 @@ fn test_case(held: &Held, case: &Case) -> TestCase {
         (State::Refused(why), _) => {
             // the schema gives it a text and no attributes
             let mut status = TestCaseStatus::skipped();
-            status.set_description(why.as_str());
+            status.set_description(printable(why));
             status
         }
         (State::Missing, _) => {
@@ -63,13 +64,20 @@ fn test_case(held: &Held, case: &Case) -> TestCase {
         }
         (State::Ran, None) => TestCaseStatus::success(),
     };
-    let mut test = TestCase::new(format!("{} / {}", case.engine, case.level.id()), status);
-    test.set_classname(format!("carom.{}", case.scene));
+    let name = format!("{} / {}", printable(&case.engine), case.level.id());
+    let mut test = TestCase::new(name, status);
+    test.set_classname(format!("carom.{}", printable(&case.scene)));
     test
 }
 
 /// What is wrong with a case, in lines that a person can act on, and its kind; `None` where nothing is.
 fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
+    let (kind, lines) = wrong(held, case)?;
+    Some((kind, lines.iter().map(|line| printable(line)).collect()))
+}
+
+/// The same with names as they are.
+fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
     let broken: Vec<String> = held
         .outcome
         .broken
@@ -161,8 +169,8 @@ pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
         };
         lines.push(format!(
             "::error file={},line={line},title={}::{}",
-            property(&file.display().to_string()),
-            property(&format!("{} in {}", case.scene, case.engine)),
+            property(&printable(&file.display().to_string())),
+            property(&printable(&format!("{} in {}", case.scene, case.engine))),
             escaped(&words.join("\n"))
         ));
     }

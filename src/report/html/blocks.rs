@@ -4,8 +4,9 @@ use super::super::cell::{shown, significant};
 use super::super::csv;
 use super::super::names::{Page, Pages};
 use super::super::replay::data as replay_data;
-use super::super::svg::{self, escape};
-use super::{file, link, root};
+use super::super::svg;
+use super::super::words::{in_cell, pieces};
+use super::{escape, file, link, root};
 use crate::finding::{Align, Block, Cell, Column, Figure, Replay, Table, Tone};
 use crate::trace::files::shortest;
 
@@ -77,15 +78,11 @@ impl Place<'_> {
 
 /// Words; what stands between two backticks is code.
 pub fn inline(words: &str) -> String {
-    let parts: Vec<&str> = words.split('`').collect();
-    if parts.len().is_multiple_of(2) {
-        return escape(words);
-    }
-    let part = |(i, part): (usize, &&str)| match i % 2 {
-        0 => escape(part),
-        _ => format!("<code>{}</code>", escape(part)),
+    let piece = |(is_code, words): (bool, &str)| match is_code {
+        false => escape(words),
+        true => format!("<code>{}</code>", escape(words)),
     };
-    parts.iter().enumerate().map(part).collect()
+    pieces(words).into_iter().map(piece).collect()
 }
 
 /// The same words with numbers and their short units on one line: large type breaks early.
@@ -184,7 +181,7 @@ fn heading(column: &Column) -> String {
 fn cell(cell: &Cell, place: &Place) -> String {
     match cell {
         Cell::Empty => "<span class=\"none\" aria-label=\"no value\">–</span>".to_owned(),
-        Cell::Text(words) => inline(words),
+        Cell::Text(words) => inline(&in_cell(words)),
         Cell::Verdict(tone, words) => {
             let class = match tone {
                 Tone::Good => "good",
@@ -192,11 +189,17 @@ fn cell(cell: &Cell, place: &Place) -> String {
                 Tone::Bad => "bad",
                 Tone::Quiet => "quiet",
             };
-            format!("<span class=\"v {class}\">{}</span>", inline(words))
+            format!(
+                "<span class=\"v {class}\">{}</span>",
+                inline(&in_cell(words))
+            )
         }
         Cell::Page(id, words) => match place.pages.find(id).filter(|_| place.in_site) {
-            Some(to) => format!("<a href=\"{}\">{}</a>", link(place.page, to), escape(words)),
-            None => escape(words),
+            Some(to) => {
+                let to = link(place.page, to);
+                format!("<a href=\"{to}\">{}</a>", escape(&in_cell(words)))
+            }
+            None => escape(&in_cell(words)),
         },
         Cell::Owned(x, owner) if !owner.is_empty() => {
             format!(
@@ -333,7 +336,7 @@ fn line(series: &str, numbers: &[String]) -> String {
         .collect();
     format!(
         "<tr><th scope=\"row\">{}</th>{numbers}</tr>\n",
-        escape(series)
+        escape(&in_cell(series))
     )
 }
 

@@ -10,7 +10,8 @@ pub use blocks::inline;
 pub use policy::{embeddable, hash};
 
 use super::names::{Page, Pages};
-use super::svg::escape;
+use super::svg;
+use super::words::plain;
 use crate::finding::{Block, Cell, Document};
 use blocks::Place;
 use policy::Shell;
@@ -37,6 +38,11 @@ pub fn fragment(document: &Document) -> String {
         in_site: false,
     };
     lead(document) + &blocks::all(&place)
+}
+
+/// Words of a page, in one line: what is markup is itself, and what nobody would see is shown.
+fn escape(words: &str) -> String {
+    svg::escape(&plain(words))
 }
 
 /// The sheet of every page and of [`fragment`].

@@ -3,7 +3,7 @@
 use super::scale::Scale;
 use super::ticks::{self, Tick};
 use super::words::{elided, text_width, wrapped};
-use super::{Plane, entries, escape, px};
+use super::{Plane, entries, lettering, px};
 use crate::finding::{Axis, Figure};
 
 /// Size of numbers and words along an axis, px.
@@ -165,7 +165,7 @@ impl Axes {
                 "<text class=\"a\" transform=\"translate({} {}) rotate(-90)\">{}</text>",
                 px(16.0 + k as f64 * NAME_LINE),
                 px(0.5 * (top + bottom)),
-                escape(line)
+                lettering(line)
             );
         }
         svg
@@ -287,7 +287,7 @@ impl Head {
                 "<text class=\"n\" transform=\"translate({} {}) rotate(-90)\">{}</text>",
                 px(x + 4.0),
                 px(bottom),
-                escape(&words)
+                lettering(&words)
             );
         }
         let count = self.lines.len();
@@ -316,7 +316,7 @@ fn text(class: &str, x: f64, y: f64, words: &str) -> String {
         "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>",
         px(x),
         px(y),
-        escape(words)
+        lettering(words)
     )
 }
 

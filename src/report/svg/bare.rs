@@ -2,7 +2,7 @@
 
 use super::legend::Legend;
 use super::series::{self, Pen};
-use super::{Drawing, Plane, described, escape, px, text_width};
+use super::{Drawing, Plane, described, lettering, px, text_width};
 use crate::finding::{Figure, Style};
 
 /// Largest size of what is drawn without the words around it, px: it stands beside a table.
@@ -27,9 +27,9 @@ pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
          <desc id=\"{anchor}-what\">{what}</desc>",
         w = px(width),
         h = px(top + high + EDGE),
-        anchor = escape(anchor),
-        title = escape(&figure.title),
-        what = escape(&described(figure)),
+        anchor = lettering(anchor),
+        title = lettering(&figure.title),
+        what = lettering(&described(figure)),
     );
     svg += &legend.drawn(0.5 * (width - legend.width), 0.5 * EDGE);
     svg += &series::drawn(figure, &plane, &Pen::FULL);

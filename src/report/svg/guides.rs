@@ -2,7 +2,7 @@
 
 use super::series::places_in_order;
 use super::words::text_width;
-use super::{Plane, escape, px};
+use super::{Plane, lettering, px};
 use crate::finding::{Figure, Series, Style};
 
 /// Size of the words, px.
@@ -70,6 +70,6 @@ fn name(series: &Series, plane: &Plane, corners: [f64; 4], taken: &mut Vec<[f64;
         "<text class=\"n p\" x=\"{}\" y=\"{}\">{}</text>",
         px(x),
         px(y),
-        escape(&series.name)
+        lettering(&series.name)
     )
 }

@@ -1,7 +1,7 @@
 //! The legend: one entry a name, in rows above the plot where it covers nothing.
 
 use super::series::{Look, Marker, cross, dot, is_crowded, ring, warning_ring};
-use super::{entries, escape, names, px, text_width, tiles};
+use super::{entries, lettering, names, px, text_width, tiles};
 use crate::finding::{Figure, Sign, Style};
 
 /// Height of a row, px.
@@ -126,7 +126,7 @@ impl Legend {
                 "<text x=\"{}\" y=\"{}\">{}</text>",
                 px(x),
                 px(y),
-                escape(&entry.name)
+                lettering(&entry.name)
             );
         }
         svg

@@ -1,7 +1,7 @@
 //! Marked times: a thin line through the plot with a few words above it, none of them over another.
 
 use super::scale::Scale;
-use super::{escape, px, text_width};
+use super::{lettering, px, text_width};
 use crate::finding::Figure;
 
 /// Height of a row of labels, px.
@@ -110,7 +110,7 @@ impl Marks {
                         "<text class=\"n\" x=\"{}\" y=\"{}\">{}</text>",
                         px(*left),
                         px(y),
-                        escape(words)
+                        lettering(words)
                     );
                     lines += &format!("M{} {}V{}", px(mark.x), px(y - 9.0), px(bottom));
                 }

@@ -19,6 +19,7 @@ mod tiles;
 mod words;
 
 use crate::finding::{Figure, Style};
+use crate::scene::is_hidden;
 use scale::{Extent, Scale, on_axis};
 use words::text_width;
 
@@ -47,7 +48,7 @@ pub fn draw(figure: &Figure, anchor: &str) -> Drawing {
     }
     let frame = frame::Frame::of(figure);
     let (width, height) = (frame.width, frame.height);
-    let words = |words: &str| escape(words);
+    let words = |words: &str| lettering(words);
     let mut svg = format!(
         "<svg class=\"fig\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
          role=\"img\" aria-labelledby=\"{anchor}-title {anchor}-what\"><title id=\"{anchor}-title\">{title}</title>\
@@ -98,7 +99,7 @@ pub fn thumbnail(figure: &Figure) -> String {
          role=\"img\" aria-label=\"{title}\">",
         w = px(width),
         h = px(height),
-        title = escape(&figure.title),
+        title = lettering(&figure.title),
     );
     svg += &frame::outline(figure, &plane, 0.0);
     svg += &series::drawn(figure, &plane, &series::Pen::THUMBNAIL);
@@ -343,6 +344,11 @@ fn px(x: f64) -> String {
     let tenths = (x.clamp(-1e6, 1e6) * 10.0).round();
     // -0 is 0
     format!("{}", tenths / 10.0 + 0.0)
+}
+
+/// Words of a picture: each character is one character, so that they take the room that was measured; a hidden one is a mark.
+fn lettering(words: &str) -> String {
+    escape(&words.replace(is_hidden, "\u{fffd}"))
 }
 
 /// Text that is safe within XML and HTML, between tags and within quotes.

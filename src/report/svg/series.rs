@@ -1,7 +1,7 @@
 //! Curves, points and balls.
 
 use super::simplify::{self, Place};
-use super::{Plane, escape, names, px};
+use super::{Plane, lettering, names, px};
 use crate::finding::{Figure, Series, Style};
 
 /// Names that have a colour of their own: as many as the style sheet has.
@@ -386,7 +386,7 @@ fn words(series: &Series, plane: &Plane) -> String {
             "<text class=\"a h\" x=\"{}\" y=\"{}\">{}</text>",
             px(x),
             px(y + 4.5),
-            escape(&series.name)
+            lettering(&series.name)
         )
     });
     written.collect()

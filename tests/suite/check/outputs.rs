@@ -269,3 +269,62 @@ fn every_option_in_the_instructions_is_one_of_the_program() {
     }
     assert!(options >= 6, "{options}");
 }
+
+#[test]
+fn a_ball_whatever_it_is_called_is_words_to_a_pipeline() {
+    const ID: &str = "<b>|&%0A::error::\u{202e}x";
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let (scene, baseline) = (path("ids.toml"), path("baselines"));
+    let text = format!(
+        "name = \"ids\"\nduration = 2.0\ngravity = 9.81\n[ball]\nradius = 0.1\nmass = 1.0\n[[balls]]\nid = '{ID}'\n\
+         position = [0.0, 0.0]\nvelocity = [1.0, 0.0]\n[effects.cloth.translational]\nmu = 0.2\n"
+    );
+    fs::write(&scene, text).unwrap();
+    let scene = scene.to_str().unwrap();
+    accept(&baseline, &[scene]);
+    let file = baseline.join("ids.csv");
+    let good = fs::read_to_string(&file).unwrap();
+    // to the bit in the file
+    let row = good
+        .lines()
+        .find(|line| line.starts_with("stepper,") && line.contains(ID))
+        .unwrap_or_else(|| panic!("no row names the ball:\n{good}"));
+    let (head, _) = row.split_once(ID).unwrap();
+    let rest = row[head.len() + ID.len()..].splitn(3, ',').nth(2).unwrap();
+    let changed = format!("{head}{ID},12345.0,{rest}");
+    fs::write(&file, good.replacen(row, &changed, 1)).unwrap();
+    let (junit, markdown) = (path("junit.xml"), path("own.md"));
+    let files = [
+        "--junit",
+        junit.to_str().unwrap(),
+        "--markdown",
+        markdown.to_str().unwrap(),
+    ];
+    let output = command(&baseline, &[&[scene][..], &files].concat())
+        .env("GITHUB_ACTIONS", "true")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(!said(&output).contains('\u{202e}'), "{}", said(&output));
+    let shown = ID.replace('\u{202e}', "\\u{202e}");
+    let xml = fs::read_to_string(&junit).unwrap();
+    let document = valid(&xml);
+    let mut failures = document
+        .descendants()
+        .filter(|node| node.has_tag_name("failure"));
+    assert!(
+        failures.any(|node| node.text().is_some_and(|words| words.contains(&shown))),
+        "{xml}"
+    );
+    let summary = fs::read_to_string(&markdown).unwrap();
+    assert!(summary.contains("\\<b>\\|\\&%0A"), "{summary}");
+    assert!(!summary.contains('\u{202e}'), "{summary:?}");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    let marks: Vec<&str> = stderr
+        .lines()
+        .filter(|line| line.starts_with("::"))
+        .collect();
+    assert_eq!(marks.len(), 1, "{stderr}");
+    assert!(marks[0].contains("<b>|&%250A::error::"), "{}", marks[0]);
+}

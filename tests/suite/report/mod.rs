@@ -1,6 +1,7 @@
 //! Reports: what a document says, every format says, safely and within its limits.
 
 mod colour;
+mod escaping;
 mod pictures;
 mod random;
 pub mod sample;
