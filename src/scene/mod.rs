@@ -16,6 +16,7 @@ mod laws;
 mod located;
 mod names;
 pub mod perturb;
+mod problems;
 mod rack;
 mod resolve;
 mod resolved;
@@ -27,6 +28,7 @@ pub use names::is_kebab_case;
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
 
 use located::Located;
+use problems::Problems;
 use std::sync::LazyLock;
 use toml::de::{DeTable, Error};
 
@@ -41,6 +43,11 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     // editors on some systems begin a file with a byte order mark, which is no part of its first line
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let invalid = |problems| SceneError::Invalid(Diagnostics::new(file_name, text, problems));
+    let one = |problem| {
+        let mut problems = Problems::new();
+        problems.push(problem);
+        problems
+    };
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
         return Err(invalid(syntax_errors(text, &errors)));
@@ -53,7 +60,7 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
         return Err(invalid(problems));
     }
     // the walk above has seen every key and type; this cannot fail unless the schema and the types disagree
-    let file: SceneFile = toml::from_str(text).map_err(|error| invalid(vec![syntax(&error)]))?;
+    let file: SceneFile = toml::from_str(text).map_err(|error| invalid(one(syntax(&error))))?;
     resolve::resolve(file, &located).map_err(invalid)
 }
 
@@ -89,18 +96,25 @@ pub fn parse_bytes(file_name: &str, bytes: &[u8]) -> Result<Scene, SceneError> {
                 format!("the file is not UTF-8 text: byte {byte:#04x}"),
                 "save it as UTF-8",
             );
-            let diagnostics = Diagnostics::new(file_name, &text, vec![problem]);
+            let mut problems = Problems::new();
+            problems.push(problem);
+            let diagnostics = Diagnostics::new(file_name, &text, problems);
             Err(SceneError::Invalid(diagnostics))
         }
     }
 }
 
 /// One error a line: the parser goes on after an error, and what it meets in the rest of that line is mostly its own confusion.
-fn syntax_errors(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
-    let mut problems: Vec<Diagnostic> = errors.iter().map(syntax).collect();
-    problems.sort_by_key(|problem| problem.span.start);
+fn syntax_errors(text: &str, errors: &[Error]) -> Problems {
+    let start = |error: &Error| error.span().unwrap_or_default().start;
+    let mut errors: Vec<&Error> = errors.iter().collect();
+    errors.sort_by_key(|error| start(error));
     let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
-    problems.dedup_by_key(|problem| ends.partition_point(|end| *end < problem.span.start));
+    errors.dedup_by_key(|error| ends.partition_point(|end| *end < start(error)));
+    let mut problems = Problems::new();
+    for error in errors {
+        problems.push_at(error.span().unwrap_or_default(), |_| syntax(error));
+    }
     problems
 }
 

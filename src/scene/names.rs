@@ -3,6 +3,7 @@
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::problems::Problems;
 use super::resolve::{Placed, repetitions};
 use crate::physics::Side;
 
@@ -10,7 +11,7 @@ use crate::physics::Side;
 const LONGEST: usize = 64;
 
 /// Checks the scene's own name, its sets, `richer` and `try`.
-pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let named = [("name", Some(&file.name)), ("richer", file.richer.as_ref())];
     for (path, name) in named {
         if let Some(name) = name.filter(|name| !is_kebab_case(name)) {
@@ -50,7 +51,7 @@ pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagn
 }
 
 /// Checks that the ids of all balls are unique and usable.
-pub(super) fn check_balls(placed: &[Placed], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+pub(super) fn check_balls(placed: &[Placed], at: &Located<'_>, problems: &mut Problems) {
     let place = |placed: &Placed| match placed.path.strip_suffix(".position") {
         Some(ball) => at.value(&format!("{ball}.id")),
         None => at.value("rack"),

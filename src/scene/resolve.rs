@@ -6,6 +6,7 @@ use super::check::missing;
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::problems::Problems;
 use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot};
 use crate::math::Vec3;
 use crate::physics::State;
@@ -19,8 +20,8 @@ pub(super) struct Placed {
 }
 
 /// The scene that `file` describes, or everything that is wrong with it.
-pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Diagnostic>> {
-    let mut problems = Vec::new();
+pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Problems> {
+    let mut problems = Problems::new();
     names::check(&file, at, &mut problems);
     laws::check(&file, at, &mut problems);
     let table = table_of(&file, at, &mut problems);
@@ -65,7 +66,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
     }
 }
 
-fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) -> Option<Table> {
+fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Option<Table> {
     let Some(table) = &file.table else {
         let edges = [
             ("cushion", "cushions", file.effects.cushion.is_some()),
@@ -94,7 +95,7 @@ fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
 }
 
 /// The balls of `[[balls]]`, without those that lack a radius or a mass.
-fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) -> Vec<Placed> {
+fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Vec<Placed> {
     let mut placed = Vec::new();
     for (i, ball) in file.balls.iter().enumerate() {
         let path = format!("balls[{i}]");
