@@ -1,9 +1,9 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
-use super::{COULD_NOT_RUN, Failure, terminal};
+use super::{COULD_NOT_RUN, Failure, bounds, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
-use crate::scene::generate::{Recipe, generate};
+use crate::scene::generate::{GenerateError, Recipe, generate};
 use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
 use clap::{Args, Subcommand};
 use std::fs;
@@ -116,6 +116,7 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
             Ok(text) => terminal::print(&text),
+            Err(error @ GenerateError::Balls(_)) => Err(bounds::refused("--balls", &error)),
             Err(error) => Err(Failure::Message(error.to_string())),
         },
         SceneCommand::Check { files } => {

@@ -7,7 +7,7 @@ use super::diagnostics::{Diagnostic, Kind, nearest, printable};
 use super::format::{
     ANY_SIZE, advice, is_described, keys, kind_of, list, target, variants, wanted, words,
 };
-use super::located::{Located, header, join, last};
+use super::located::{Located, Shift, header, join, last};
 use super::problems::Problems;
 use serde_json::Value;
 use std::ops::Range;
@@ -23,12 +23,51 @@ pub(super) const SMALLEST: f64 = 1e-30;
 
 /// Everything in which the file at hand departs from `schema`.
 pub(super) fn check(located: &Located<'_>, schema: &Value) -> Problems {
+    let mut problems = Problems::new();
+    check_table(&located.root, schema, Shift::default(), &mut problems);
+    problems
+}
+
+/// Everything in which a file departs from `schema`, whose keys are those of `root` and stand where `shift` says.
+pub(super) fn check_table(
+    root: &DeTable<'_>,
+    schema: &Value,
+    shift: Shift,
+    problems: &mut Problems,
+) {
     let mut walk = Walk {
         schema,
-        problems: Problems::new(),
+        shift,
+        problems,
     };
-    walk.table("", schema, &located.root, 0..0);
-    walk.problems
+    // what is missing in the file has no place in it
+    walk.shift.from = walk.shift.from.max(1);
+    walk.table("", schema, root, 0..0);
+}
+
+/// Everything in which items of the list at `key` depart from `schema`. `first`: the index of the first.
+pub(super) fn check_items(
+    (key, first): (&str, usize),
+    items: &[Spanned<DeValue<'_>>],
+    schema: &Value,
+    shift: Shift,
+    problems: &mut Problems,
+) {
+    let property = &schema["properties"][key];
+    let list = target(schema, property);
+    let around = Around {
+        says: is_described(property, list).then_some((property, list)),
+        any_size: property[ANY_SIZE] == true,
+    };
+    let mut walk = Walk {
+        schema,
+        shift,
+        problems,
+    };
+    for (i, item) in items.iter().enumerate() {
+        let path = format!("{key}[{}]", first + i);
+        walk.value(&path, &list["items"], around, item);
+    }
 }
 
 /// What a list, or the key itself, says of values that say nothing of their own.
@@ -52,14 +91,16 @@ impl Around<'_> {
     }
 }
 
-struct Walk<'s> {
+struct Walk<'s, 'p> {
     schema: &'s Value,
-    problems: Problems,
+    /// Where what is walked stands in the text.
+    shift: Shift,
+    problems: &'p mut Problems,
 }
 
 type Entry<'a, 't> = (&'a Spanned<DeString<'t>>, &'a Spanned<DeValue<'t>>);
 
-impl<'s> Walk<'s> {
+impl<'s> Walk<'s, '_> {
     /// `around`: what the list that the value stands in says of its values.
     fn value(
         &mut self,
@@ -74,7 +115,7 @@ impl<'s> Walk<'s> {
             says: own.or(around.says),
             any_size: around.any_size || schema[ANY_SIZE] == true,
         };
-        let span = value.span();
+        let span = self.shift.place(value.span());
         if let Some(words) = words(target) {
             return self.word(path, &words, value);
         }
@@ -133,13 +174,18 @@ impl<'s> Walk<'s> {
                 match i64::from_str_radix(digits.as_str(), digits.radix()) {
                     Ok(whole) => whole as f64,
                     Err(_) => {
-                        return self.report(Kind::OutOfRange, value.span(), || {
-                            let what = last(path);
-                            let message = format!("{what} has more digits than a whole number can");
-                            let help =
-                                "write it with a decimal point or an exponent, such as 1.0e20";
-                            (message, help.to_owned())
-                        });
+                        return self.report(
+                            Kind::OutOfRange,
+                            self.shift.place(value.span()),
+                            || {
+                                let what = last(path);
+                                let message =
+                                    format!("{what} has more digits than a whole number can");
+                                let help =
+                                    "write it with a decimal point or an exponent, such as 1.0e20";
+                                (message, help.to_owned())
+                            },
+                        );
                     }
                 }
             }
@@ -159,11 +205,11 @@ impl<'s> Walk<'s> {
             _ => true,
         };
         if !x.is_finite() && !written_in_digits {
-            self.report(Kind::NotFinite, value.span(), must);
+            self.report(Kind::NotFinite, self.shift.place(value.span()), must);
         } else if low || high {
-            self.report(Kind::OutOfRange, value.span(), must);
+            self.report(Kind::OutOfRange, self.shift.place(value.span()), must);
         } else if x != 0.0 && !(smallest..=LARGEST).contains(&x.abs()) {
-            self.report(Kind::OutOfRange, value.span(), || {
+            self.report(Kind::OutOfRange, self.shift.place(value.span()), || {
                 let least = if around.any_size {
                     format!("at most {LARGEST:e}")
                 } else {
@@ -182,7 +228,7 @@ impl<'s> Walk<'s> {
             quoted.join(", ")
         };
         let DeValue::String(word) = value.get_ref() else {
-            return self.report(Kind::WrongType, value.span(), || {
+            return self.report(Kind::WrongType, self.shift.place(value.span()), || {
                 let found = name_of_type(value.get_ref());
                 let message = format!("{} must be one of {}, not {found}", last(path), all());
                 (message, "write it in quotes".to_owned())
@@ -191,7 +237,7 @@ impl<'s> Walk<'s> {
         if words.contains(&word.as_ref()) {
             return;
         }
-        self.report(Kind::WrongType, value.span(), || {
+        self.report(Kind::WrongType, self.shift.place(value.span()), || {
             let message = format!("unknown word \"{word}\" for {}", last(path));
             let known = format!("known are {}", all());
             (message, with_guess(word, words.iter().copied(), &known))
@@ -241,8 +287,11 @@ impl<'s> Walk<'s> {
                 self.unknown_key(path, (key, value), known);
                 continue;
             }
-            named.push(key.span());
-            laws.push((key.span().start, key.get_ref().to_string()));
+            named.push(self.shift.place(key.span()));
+            laws.push((
+                self.shift.place(key.span()).start,
+                key.get_ref().to_string(),
+            ));
         }
         if named.len() > 1 {
             laws.sort();
@@ -273,7 +322,7 @@ impl<'s> Walk<'s> {
         known: impl FnOnce() -> Vec<&'k str>,
     ) {
         let schema = self.schema;
-        self.report(Kind::UnknownKey, key.span(), || {
+        self.report(Kind::UnknownKey, self.shift.place(key.span()), || {
             let (word, known) = (key.get_ref(), known());
             let top = keys(&schema["properties"]);
             let misplaced =

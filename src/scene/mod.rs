@@ -16,6 +16,7 @@ mod laws;
 mod located;
 mod names;
 pub mod perturb;
+mod pieces;
 mod problems;
 mod rack;
 mod resolve;
@@ -27,7 +28,8 @@ pub use file::{SceneFile, schema};
 pub use names::is_kebab_case;
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
 
-use located::Located;
+use located::{Located, Shift};
+use pieces::Pieces;
 use problems::Problems;
 use std::sync::LazyLock;
 use toml::de::{DeTable, Error};
@@ -48,13 +50,14 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
         problems.push(problem);
         problems
     };
+    if let Some(read) = Pieces::of(text).and_then(|pieces| in_pieces(text, &pieces)) {
+        return read.map_err(invalid);
+    }
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
         return Err(invalid(syntax_errors(text, &errors)));
     }
-    let located = Located {
-        root: root.into_inner(),
-    };
+    let located = Located::whole(text, root.into_inner());
     let problems = check::check(&located, &SCHEMA);
     if !problems.is_empty() {
         return Err(invalid(problems));
@@ -64,13 +67,39 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     resolve::resolve(file, &located).map_err(invalid)
 }
 
+/// The scene of a large file; `None` where it must be read as a whole.
+fn in_pieces(text: &str, pieces: &Pieces<'_>) -> Option<Result<Scene, Problems>> {
+    let (root, errors) = DeTable::parse_recoverable(&pieces.around);
+    if !errors.is_empty() || root.get_ref().contains_key("balls") {
+        return None;
+    }
+    let mut problems = Problems::new();
+    check::check_table(root.get_ref(), &SCHEMA, pieces.shift(), &mut problems);
+    let (mut balls, mut chunks) = (Vec::new(), Vec::new());
+    for piece in pieces.each() {
+        let piece = piece?;
+        let list = ("balls", piece.chunk.first);
+        let shift = Shift::to(piece.chunk.text.start);
+        check::check_items(list, piece.balls(), &SCHEMA, shift, &mut problems);
+        chunks.push(piece.chunk.clone());
+        if problems.is_empty() {
+            balls.extend(piece.read().ok()?);
+        }
+    }
+    if !problems.is_empty() {
+        return Some(Err(problems));
+    }
+    let mut file: SceneFile = toml::from_str(&pieces.around).ok()?;
+    file.balls = balls;
+    // the table borrows from the text around the balls
+    let located = Located::in_pieces(text, root.into_inner(), pieces.shift(), chunks);
+    Some(resolve::resolve(file, &located))
+}
+
 /// The path of the deepest key at byte `place` of a scene file, such as `effects.cloth.translational.mu`; empty if there is none.
 pub fn path_at(text: &str, place: usize) -> String {
     let (root, _) = DeTable::parse_recoverable(text);
-    let located = Located {
-        root: root.into_inner(),
-    };
-    located.path_at(place)
+    Located::whole(text, root.into_inner()).path_at(place)
 }
 
 /// The text of a scene file as carom would write it: comments and layout are lost, the scene is the same.

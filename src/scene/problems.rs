@@ -61,6 +61,17 @@ impl Problems {
         problems.into_iter().for_each(|problem| self.push(problem));
     }
 
+    /// Adds an error of a kind that is looked for along the text. `told`: how many of the kind there were, from 0; the first are put
+    /// together, with their places, and those that come later than so many are only counted.
+    pub fn push_along(&mut self, told: &mut usize, problem: impl FnOnce() -> Diagnostic) {
+        if *told < KEPT {
+            self.push(problem());
+        } else {
+            self.found += 1;
+        }
+        *told += 1;
+    }
+
     fn pare(&mut self) {
         self.kept.sort_by_key(|problem| problem.span.start);
         self.kept.truncate(KEPT);

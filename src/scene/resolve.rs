@@ -96,16 +96,19 @@ fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Opti
 
 /// The balls of `[[balls]]`, without those that lack a radius or a mass.
 fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Vec<Placed> {
-    let mut placed = Vec::new();
+    let mut placed = Vec::with_capacity(file.balls.len());
+    let (mut lacking, mut turning) = (0, 0);
     for (i, ball) in file.balls.iter().enumerate() {
         let path = format!("balls[{i}]");
         let mut own_or_default = |own: Option<f64>, default: Option<f64>, what: &str| {
             let number = own.or(default);
             if number.is_none() {
-                let message = format!("ball \"{}\" has no {what}", ball.id);
-                let help = format!("add `{what}` here, or to `[ball]` for every ball");
-                let problem = missing(at.value(&path), message, help);
-                problems.push(problem.wanting(format!("ball.{what}")));
+                problems.push_along(&mut lacking, || {
+                    let message = format!("ball \"{}\" has no {what}", ball.id);
+                    let help = format!("add `{what}` here, or to `[ball]` for every ball");
+                    let problem = missing(at.value(&path), message, help);
+                    problem.wanting(format!("ball.{what}"))
+                });
             }
             number
         };
@@ -113,11 +116,13 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> 
         let mass = own_or_default(ball.mass, file.ball.mass, "mass");
         let spin = ball.spin.unwrap_or_default();
         if spin != [0.0; 3] && !file.effects.rotates() {
-            let message = "spin has no meaning in a scene in which no effect turns balls";
-            let help =
-                "remove it, or name a law that turns balls, such as `[effects.cloth.rotational]`";
-            let span = at.value(&format!("{path}.spin"));
-            problems.push(Diagnostic::new(Kind::NoEffect, span, message, help));
+            problems.push_along(&mut turning, || {
+                let message = "spin has no meaning in a scene in which no effect turns balls";
+                let help =
+                    "remove it, or name a law that turns balls, such as `[effects.cloth.rotational]`";
+                let span = at.value(&format!("{path}.spin"));
+                Diagnostic::new(Kind::NoEffect, span, message, help)
+            });
         }
         if let (Some(radius), Some(mass)) = (radius, mass) {
             let velocity = ball.velocity.unwrap_or_default();
