@@ -1,11 +1,11 @@
 //! `carom ensemble`.
 
 use super::arguments::{EnsembleArguments, parse_engines};
-use super::{Failure, publish, scene, terminal};
+use super::{Failure, bounds, publish, scene, terminal};
 use crate::scene::Scene;
 use crate::scene::perturb::Law;
 use crate::study::Watch;
-use crate::study::ensemble::{Plan, page, plan_columns, study, summary};
+use crate::study::ensemble::{EnsembleError, Plan, page, plan_columns, study, summary};
 use std::process::ExitCode;
 
 /// Runs an ensemble, prints the summary and writes the page if a folder is named.
@@ -26,7 +26,10 @@ pub fn ensemble(arguments: &EnsembleArguments) -> Result<ExitCode, Failure> {
     };
     let outcome = study(plan, watch);
     drop(progress);
-    let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
+    let outcome = outcome.map_err(|error| match error {
+        EnsembleError::Samples { .. } => bounds::refused("--samples", &error),
+        error => Failure::Message(error.to_string()),
+    })?;
     publish(
         &summary(&outcome),
         &arguments.format,

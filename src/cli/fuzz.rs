@@ -1,8 +1,7 @@
 //! `carom fuzz`: random scenes and mutated inputs, and what they break.
 
 use super::arguments::{FuzzArguments, parse_engines};
-use super::{Failure, output, publish, terminal};
-use crate::engine::Limits;
+use super::{Failure, bounds, output, publish, terminal};
 use crate::finding::Document;
 use crate::study::mutation::{Examples, Input};
 use crate::study::{Watch, mutation, random};
@@ -55,10 +54,14 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
 fn run(arguments: &FuzzArguments, watch: Watch<'_>) -> Result<(Document, Shown), Failure> {
     let plan = random::Plan {
         first: arguments.first,
-        scenes: arguments.scenes.unwrap_or(SCENES),
+        scenes: bounds::indices(
+            "--scenes",
+            arguments.scenes.unwrap_or(SCENES),
+            arguments.first,
+        )?,
         seed: arguments.seed,
         columns: parse_engines(&arguments.engines)?,
-        max_events: arguments.max_events.min(Limits::NONE.max_events),
+        max_events: bounds::events_of_each(arguments.max_events)?,
     };
     let outcome = random::study(plan, watch);
     let file = |index: u64| {
@@ -80,7 +83,7 @@ fn read(
     })?;
     let plan = mutation::Plan {
         first: arguments.first,
-        inputs,
+        inputs: bounds::indices("--inputs", inputs, arguments.first)?,
         seed: arguments.seed,
     };
     let outcome = mutation::study(plan, &examples, watch);

@@ -4,6 +4,7 @@
 
 mod accepted;
 mod arguments;
+mod bounds;
 mod check;
 mod compare;
 mod cost;

@@ -1,7 +1,7 @@
 //! `carom run`.
 
 use super::arguments::RunArguments;
-use super::{Failure, output, scene, terminal};
+use super::{Failure, bounds, output, scene, terminal};
 use crate::engine::{self, Limits, Setting};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
@@ -15,12 +15,6 @@ pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let refused = |refusal: engine::Refusal| {
         Failure::Message(format!("{} in {}: {refusal}", scene.name, arguments.engine))
     };
-    let cadence = arguments.every;
-    if !(cadence > 0.0 && cadence.is_finite()) {
-        return Err(Failure::Message(format!(
-            "`--every {cadence}`: expected a time above 0 s"
-        )));
-    }
     let setting = Setting::parse(arguments.settings.iter().map(String::as_str)).map_err(refused)?;
     let Some(engine) = engine::find(&arguments.engine) else {
         return Err(Failure::Message(format!(
@@ -28,9 +22,10 @@ pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
             arguments.engine
         )));
     };
+    let cadence = bounds::cadence(arguments.every, engine, &scene, &setting)?;
     let run = engine::prepare(engine, &scene, &setting).map_err(refused)?;
     let limits = Limits {
-        max_events: arguments.max_events,
+        max_events: bounds::events(arguments.max_events)?,
         cancelled: terminal::cancelled(),
     };
     let trace = run.simulate(Record::Every(cadence), &limits);

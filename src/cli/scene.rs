@@ -1,9 +1,9 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
-use super::{COULD_NOT_RUN, Failure, terminal};
+use super::{COULD_NOT_RUN, Failure, bounds, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
-use crate::scene::generate::{Recipe, generate};
+use crate::scene::generate::{GenerateError, Recipe, generate};
 use crate::scene::{
     Diagnostic, Diagnostics, Kind, Scene, SceneError, catalogue, is_kebab_case, parse_bytes,
     printable, schema, spelled,
@@ -119,6 +119,7 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
             Ok(text) => terminal::print(&text),
+            Err(error @ GenerateError::Balls(_)) => Err(bounds::refused("--balls", &error)),
             Err(error) => Err(Failure::Message(error.to_string())),
         },
         SceneCommand::Check { files } => {
@@ -261,9 +262,9 @@ fn warnings(scene: &str) -> Option<Diagnostics> {
                     hyphens are shown as they are";
         Some(Diagnostic::new(Kind::Spelling, spelled.span, message, help))
     });
-    let problems: Vec<Diagnostic> = problems.collect();
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-    (!problems.is_empty()).then(|| Diagnostics::new(scene, text, problems))
+    let warnings = Diagnostics::of(scene, text, problems);
+    (!warnings.problems.is_empty()).then_some(warnings)
 }
 
 /// The JSON Schema of the scene format, as text.

@@ -4,6 +4,7 @@
 //! module no engine knows another; adding one is a folder and one line in [`ENGINES`].
 
 mod audit;
+mod clock;
 pub mod exact;
 pub mod rapier;
 mod setting;
@@ -101,10 +102,13 @@ pub trait Run {
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace;
 }
 
+/// Most events that a run may be asked for: what belongs to an event names it by 32 bits.
+pub const MOST_EVENTS: u64 = 1_000_000_000;
+
 /// What may end a run early.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits<'a> {
-    /// Largest number of events of an event-driven engine.
+    /// Largest number of events of an event-driven engine; at most [`MOST_EVENTS`].
     pub max_events: u64,
     /// Set when the user asks to stop.
     pub cancelled: &'a AtomicBool,
@@ -144,6 +148,17 @@ pub enum Refusal {
         /// What is wrong and what would be right.
         message: String,
     },
+    /// The scene lasts for longer than the clock of any engine can tell.
+    #[error(
+        "a duration of {duration} s is beyond the clock: it could no longer say where the fastest ball is to a millionth of a \
+         radius; {most:.1e} s are the most"
+    )]
+    TooLong {
+        /// The duration of the scene, s.
+        duration: f64,
+        /// The longest that the fastest ball of the scene can move, s.
+        most: f64,
+    },
     /// What arrived inside the engine is not the scene.
     #[error("the scene did not arrive in the engine as written: {}", differs.join("; "))]
     Audit {
@@ -157,16 +172,22 @@ pub fn find(id: &str) -> Option<&'static dyn Engine> {
     ENGINES.iter().copied().find(|engine| engine.id() == id)
 }
 
-/// The only way to a run: asks what is missing, builds, and audits what is inside.
+/// Asks whether an engine can run a scene at all: whether it lacks something, and whether any clock can tell.
+pub fn can_run(engine: &dyn Engine, scene: &Scene) -> Result<(), Refusal> {
+    let missing = engine.missing(scene);
+    if !missing.is_empty() {
+        return Err(Refusal::NotComparable { missing });
+    }
+    clock::check(scene)
+}
+
+/// The only way to a run: asks whether it can be, builds, and audits what is inside.
 pub fn prepare<'a>(
     engine: &dyn Engine,
     scene: &'a Scene,
     setting: &Setting,
 ) -> Result<Box<dyn Run + 'a>, Refusal> {
-    let missing = engine.missing(scene);
-    if !missing.is_empty() {
-        return Err(Refusal::NotComparable { missing });
-    }
+    can_run(engine, scene)?;
     let run = engine.prepare(scene, setting)?;
     let differs = audit::differences(scene, &run.inside());
     if !differs.is_empty() {

@@ -4,6 +4,7 @@
 //! room knows text and positions only, no scene.
 
 use super::printable::{is_hidden, printable};
+use super::problems::Problems;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::borrow::Cow;
 use std::fmt;
@@ -114,37 +115,55 @@ impl Diagnostic {
     }
 }
 
-/// Everything that is wrong with one scene file, in the order of the text. At least one.
+/// What is wrong with one scene file, in the order of the text. At least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     /// Name of the file, as the user gave it.
     pub file: String,
     /// Its text; bytes that are not UTF-8 are replaced.
     pub text: String,
-    /// The errors, by position.
+    /// The first errors, by position.
     pub problems: Vec<Diagnostic>,
+    /// Number of further errors.
+    pub more: usize,
+    /// Where each line begins.
+    lines: Vec<usize>,
 }
 
 /// How many errors of one file are shown; the rest is counted.
 const SHOWN: usize = 20;
 
 impl Diagnostics {
-    /// The errors of `file`, brought into the order of the text.
-    pub fn new(file: &str, text: &str, mut problems: Vec<Diagnostic>) -> Self {
-        problems.sort_by_key(|problem| problem.span.start);
+    /// These problems of `file`, the first by position.
+    pub fn of(file: &str, text: &str, found: impl IntoIterator<Item = Diagnostic>) -> Self {
+        let mut problems = Problems::new();
+        problems.extend(found);
+        Diagnostics::new(file, text, problems)
+    }
+
+    /// The errors of `file`.
+    pub(super) fn new(file: &str, text: &str, problems: Problems) -> Self {
+        let (problems, more) = problems.into_first();
+        let starts = text.match_indices('\n').map(|(newline, _)| newline + 1);
         Diagnostics {
             file: file.to_owned(),
             text: text.to_owned(),
             problems,
+            more,
+            lines: std::iter::once(0).chain(starts).collect(),
         }
     }
 
-    /// Line and column of byte `offset`, both from 1; columns count characters.
+    /// Line and column of byte `offset`, both from 1; columns count characters. What is beyond the text is at its end.
     pub fn position(&self, offset: usize) -> (usize, usize) {
         let before = self.text.get(..offset).unwrap_or(&self.text);
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        (line, before[start..].chars().count() + 1)
+        let line = self.line_at(before.len());
+        (line + 1, before[self.lines[line]..].chars().count() + 1)
+    }
+
+    /// The line, from 0, of byte `offset`.
+    fn line_at(&self, offset: usize) -> usize {
+        self.lines.partition_point(|start| *start <= offset) - 1
     }
 
     /// The errors as a compiler shows them, with ANSI colours if `colour`. No newline at the end.
@@ -158,8 +177,8 @@ impl Diagnostics {
         let mut parts: Vec<String> = shown
             .map(|problem| self.render_one(&renderer, problem))
             .collect();
-        if self.problems.len() > SHOWN {
-            let more = self.problems.len() - SHOWN;
+        let more = self.problems.len().saturating_sub(SHOWN) + self.more;
+        if more > 0 {
             let file = printable(&self.file);
             let warns = |problem: &Diagnostic| problem.kind == Kind::Spelling;
             parts.push(match self.problems.iter().all(warns) {
@@ -171,15 +190,26 @@ impl Diagnostics {
     }
 
     fn render_one(&self, renderer: &Renderer, problem: &Diagnostic) -> String {
+        // the renderer reads all that it is given: the lines from the first mark to the last
+        let marks = std::iter::once(&problem.span).chain(problem.also.iter().map(|also| &also.0));
+        let spans: Vec<Range<usize>> = marks.map(|span| self.within(span)).collect();
+        let first = spans.iter().map(|span| self.line_at(span.start)).min();
+        let last = spans.iter().map(|span| self.line_at(span.end)).max();
+        let (first, last) = (first.unwrap_or(0), last.unwrap_or(0));
+        let start = self.lines[first];
+        let end = self.lines.get(last + 1).copied().unwrap_or(self.text.len());
         let mark = |span: &Range<usize>, kind: AnnotationKind, label: &str| {
-            kind.span(self.within(span)).label(printable(label))
+            let span = self.within(span);
+            let label = printable(label);
+            kind.span(span.start - start..span.end - start).label(label)
         };
         let primary = mark(&problem.span, AnnotationKind::Primary, &problem.label);
         let others = problem
             .also
             .iter()
             .map(|(span, label)| mark(span, AnnotationKind::Context, label));
-        let snippet = Snippet::source(without_commands(&self.text))
+        let snippet = Snippet::source(without_commands(&self.text[start..end]))
+            .line_start(first + 1)
             .path(printable(&self.file))
             .annotation(primary)
             .annotations(others);

@@ -129,12 +129,21 @@ pub fn advice(schema: &Value, target: &Value) -> String {
     advice.trim_end_matches('.').to_owned()
 }
 
+/// True if a value has a description of its own, and so advice.
+pub(super) fn is_described(schema: &Value, target: &Value) -> bool {
+    !described(schema, target).trim().is_empty()
+}
+
+fn described<'s>(schema: &'s Value, target: &'s Value) -> &'s str {
+    let own = schema["description"].as_str();
+    own.or(target["description"].as_str()).unwrap_or_default()
+}
+
 fn description(schema: &Value, target: &Value) -> String {
-    let description = schema["description"]
-        .as_str()
-        .or(target["description"].as_str())
-        .unwrap_or_default();
-    description.split_whitespace().collect::<Vec<_>>().join(" ")
+    described(schema, target)
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// A value that is right for a key where a scene does not say: what a form holds before a person changes it.

@@ -2,6 +2,7 @@
 
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::located::Located;
+use super::problems::Problems;
 use super::{Ball, Scene};
 use crate::math::grid::Grid;
 use crate::physics::contact::plan_distance;
@@ -14,12 +15,7 @@ const COARSEST: f64 = 1e-6;
 const MOST: usize = 100;
 
 /// Checks a scene whose balls come from `paths`, in scene order.
-pub(super) fn check(
-    scene: &Scene,
-    paths: &[String],
-    at: &Located<'_>,
-    problems: &mut Vec<Diagnostic>,
-) {
+pub(super) fn check(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Problems) {
     if scene.balls.is_empty() {
         return;
     }
@@ -47,7 +43,7 @@ fn too_far_out(scene: &Scene, paths: &[String], at: &Located<'_>) -> Diagnostic 
     Diagnostic::new(Kind::OutOfRange, span, message, help)
 }
 
-fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Problems) {
     let Some(table) = scene.table else {
         return;
     };
@@ -88,7 +84,7 @@ fn outside(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec
     }
 }
 
-fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn overlaps(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Problems) {
     let slack = scene.touching();
     let overlapping = pairs_within(&scene.balls, 0.0).filter(|(_, gap)| -gap > slack);
     let found = overlapping.take(MOST);
@@ -165,7 +161,7 @@ fn overlap_of(
     )
 }
 
-fn in_pockets(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn in_pockets(scene: &Scene, paths: &[String], at: &Located<'_>, problems: &mut Problems) {
     let Some(pockets) = &scene.effects.pockets else {
         return;
     };

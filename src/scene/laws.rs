@@ -4,10 +4,11 @@ use super::check::missing;
 use super::diagnostics::{Diagnostic, Kind, short};
 use super::file::SceneFile;
 use super::located::Located;
+use super::problems::Problems;
 use crate::physics::{Cloth, Effects, Friction};
 
 /// Checks the laws that the file names.
-pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     gravity(file, at, problems);
     friction(file, at, problems);
     rotation(file, at, problems);
@@ -32,7 +33,7 @@ fn path(id: &str) -> String {
     format!("effects.{id}")
 }
 
-fn gravity(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn gravity(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     if let (Some(law), None) = (file.effects.cloth, file.gravity) {
         let law = path(law.id());
         let message = format!("`[{law}]` needs `gravity`, which the scene does not give");
@@ -43,7 +44,7 @@ fn gravity(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
     }
 }
 
-fn friction(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn friction(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let Some(law) = file.effects.friction else {
         return;
     };
@@ -74,7 +75,7 @@ fn friction(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
 }
 
 /// A cloth without rotation leaves nothing for a law that turns balls.
-fn rotation(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn rotation(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let Some(cloth @ Cloth::Translational { .. }) = file.effects.cloth else {
         return;
     };
@@ -92,7 +93,7 @@ fn rotation(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
     }
 }
 
-fn circles(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn circles(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let Some(pockets) = &file.effects.pockets else {
         return;
     };

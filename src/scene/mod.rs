@@ -16,7 +16,9 @@ mod laws;
 mod located;
 mod names;
 pub mod perturb;
+mod pieces;
 mod printable;
+mod problems;
 mod rack;
 mod resolve;
 mod resolved;
@@ -30,7 +32,9 @@ pub use printable::{is_hidden, printable};
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
 pub use spelled::{Spelled, spelled};
 
-use located::Located;
+use located::{Located, Shift};
+use pieces::Pieces;
+use problems::Problems;
 use std::sync::LazyLock;
 use toml::de::{DeTable, Error};
 
@@ -45,29 +49,75 @@ pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     // editors on some systems begin a file with a byte order mark, which is no part of its first line
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let invalid = |problems| SceneError::Invalid(Diagnostics::new(file_name, text, problems));
+    let pieces = Pieces::of(text);
+    let (file, located) = read(text, pieces.as_ref()).map_err(invalid)?;
+    resolve::resolve(file, &located).map_err(invalid)
+}
+
+/// What is written in a file that has no fault by itself, with the place of everything in it.
+fn read<'t>(
+    text: &'t str,
+    pieces: Option<&'t Pieces<'_>>,
+) -> Result<(SceneFile, Located<'t>), Problems> {
+    if let Some(read) = pieces.and_then(|pieces| in_pieces(text, pieces)) {
+        return read;
+    }
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        return Err(invalid(syntax_errors(text, &errors)));
+        return Err(syntax_errors(text, &errors));
     }
-    let located = Located {
-        root: root.into_inner(),
-    };
+    let located = Located::whole(text, root.into_inner());
     let problems = check::check(&located, &SCHEMA);
     if !problems.is_empty() {
-        return Err(invalid(problems));
+        return Err(problems);
     }
     // the walk above has seen every key and type; this cannot fail unless the schema and the types disagree
-    let file: SceneFile = toml::from_str(text).map_err(|error| invalid(vec![syntax(&error)]))?;
-    resolve::resolve(file, &located).map_err(invalid)
+    match toml::from_str(text) {
+        Ok(file) => Ok((file, located)),
+        Err(error) => {
+            let mut problems = Problems::new();
+            problems.push(syntax(&error));
+            Err(problems)
+        }
+    }
+}
+
+/// The same of a large file; `None` where it must be read as a whole.
+fn in_pieces<'t>(
+    text: &'t str,
+    pieces: &'t Pieces<'_>,
+) -> Option<Result<(SceneFile, Located<'t>), Problems>> {
+    let (root, errors) = DeTable::parse_recoverable(&pieces.around);
+    if !errors.is_empty() || root.get_ref().contains_key("balls") {
+        return None;
+    }
+    let mut problems = Problems::new();
+    check::check_table(root.get_ref(), &SCHEMA, pieces.shift(), &mut problems);
+    let (mut balls, mut chunks) = (Vec::new(), Vec::new());
+    for piece in pieces.each() {
+        let piece = piece?;
+        let list = ("balls", piece.chunk.first);
+        let shift = Shift::to(piece.chunk.text.start);
+        check::check_items(list, piece.balls(), &SCHEMA, shift, &mut problems);
+        chunks.push(piece.chunk.clone());
+        if problems.is_empty() {
+            balls.extend(piece.read().ok()?);
+        }
+    }
+    if !problems.is_empty() {
+        return Some(Err(problems));
+    }
+    let mut file: SceneFile = toml::from_str(&pieces.around).ok()?;
+    file.balls = balls;
+    // the table borrows from the text around the balls
+    let located = Located::in_pieces(text, root.into_inner(), pieces.shift(), chunks);
+    Some(Ok((file, located)))
 }
 
 /// The path of the deepest key at byte `place` of a scene file, such as `effects.cloth.translational.mu`; empty if there is none.
 pub fn path_at(text: &str, place: usize) -> String {
     let (root, _) = DeTable::parse_recoverable(text);
-    let located = Located {
-        root: root.into_inner(),
-    };
-    located.path_at(place)
+    Located::whole(text, root.into_inner()).path_at(place)
 }
 
 /// The text of a scene file as carom would write it: comments and layout are lost, the scene is the same.
@@ -93,18 +143,25 @@ pub fn parse_bytes(file_name: &str, bytes: &[u8]) -> Result<Scene, SceneError> {
                 format!("the file is not UTF-8 text: byte {byte:#04x}"),
                 "save it as UTF-8",
             );
-            let diagnostics = Diagnostics::new(file_name, &text, vec![problem]);
+            let mut problems = Problems::new();
+            problems.push(problem);
+            let diagnostics = Diagnostics::new(file_name, &text, problems);
             Err(SceneError::Invalid(diagnostics))
         }
     }
 }
 
 /// One error a line: the parser goes on after an error, and what it meets in the rest of that line is mostly its own confusion.
-fn syntax_errors(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
-    let mut problems: Vec<Diagnostic> = errors.iter().map(syntax).collect();
-    problems.sort_by_key(|problem| problem.span.start);
+fn syntax_errors(text: &str, errors: &[Error]) -> Problems {
+    let start = |error: &Error| error.span().unwrap_or_default().start;
+    let mut errors: Vec<&Error> = errors.iter().collect();
+    errors.sort_by_key(|error| start(error));
     let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
-    problems.dedup_by_key(|problem| ends.partition_point(|end| *end < problem.span.start));
+    errors.dedup_by_key(|error| ends.partition_point(|end| *end < start(error)));
+    let mut problems = Problems::new();
+    for error in errors {
+        problems.push_at(error.span().unwrap_or_default(), |_| syntax(error));
+    }
     problems
 }
 

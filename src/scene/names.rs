@@ -3,14 +3,16 @@
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::problems::Problems;
 use super::resolve::{Placed, repetitions};
 use crate::physics::Side;
+use std::ops::Range;
 
 /// Longest name of a scene or ball, characters: it becomes part of file names and table rows.
 const LONGEST: usize = 64;
 
 /// Checks the scene's own name, its sets, `richer` and `try`.
-pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let named = [("name", Some(&file.name)), ("richer", file.richer.as_ref())];
     for (path, name) in named {
         if let Some(name) = name.filter(|name| !is_kebab_case(name)) {
@@ -50,32 +52,44 @@ pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagn
 }
 
 /// Checks that the ids of all balls are unique and usable.
-pub(super) fn check_balls(placed: &[Placed], at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+pub(super) fn check_balls(placed: &[Placed], at: &Located<'_>, problems: &mut Problems) {
     let place = |placed: &Placed| match placed.path.strip_suffix(".position") {
         Some(ball) => at.value(&format!("{ball}.id")),
         None => at.value("rack"),
     };
+    let mut told = 0;
     for ball in placed {
         if let Some((message, help)) = wrong_with_id(&ball.ball.id) {
-            problems.push(Diagnostic::new(Kind::BadName, place(ball), message, help));
+            problems.push_along(&mut told, || {
+                Diagnostic::new(Kind::BadName, place(ball), message, help)
+            });
         }
     }
     let ids = placed.iter().map(|p| p.ball.id.as_str());
+    let mut told = 0;
     for (first, again) in repetitions(ids) {
-        let id = &placed[again].ball.id;
-        let from_rack = placed[again].path == "rack";
-        let (span, other) = (place(&placed[again]), place(&placed[first]));
-        let problem = if from_rack {
-            let count = placed.iter().filter(|p| p.path == "rack").count();
-            let message = format!("two balls have the id \"{id}\": this one and one of the rack");
-            let help = format!("the rack's balls are \"1\" to \"{count}\"; choose another id");
-            Diagnostic::new(Kind::Duplicate, other, message, help).and(span, "the rack")
-        } else {
-            let message = format!("two balls have the id \"{id}\"");
-            let help = "every ball of a scene needs an id of its own";
-            Diagnostic::new(Kind::Duplicate, span, message, help).and(other, "first used here")
-        };
-        problems.push(problem);
+        problems.push_along(&mut told, || repeated(placed, [first, again], place));
+    }
+}
+
+/// A ball with the id of one before it.
+fn repeated(
+    placed: &[Placed],
+    [first, again]: [usize; 2],
+    place: impl Fn(&Placed) -> Range<usize>,
+) -> Diagnostic {
+    let id = &placed[again].ball.id;
+    let from_rack = placed[again].path == "rack";
+    let (span, other) = (place(&placed[again]), place(&placed[first]));
+    if from_rack {
+        let count = placed.iter().filter(|p| p.path == "rack").count();
+        let message = format!("two balls have the id \"{id}\": this one and one of the rack");
+        let help = format!("the rack's balls are \"1\" to \"{count}\"; choose another id");
+        Diagnostic::new(Kind::Duplicate, other, message, help).and(span, "the rack")
+    } else {
+        let message = format!("two balls have the id \"{id}\"");
+        let help = "every ball of a scene needs an id of its own";
+        Diagnostic::new(Kind::Duplicate, span, message, help).and(other, "first used here")
     }
 }
 

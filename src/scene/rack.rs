@@ -2,20 +2,16 @@
 
 use super::Ball;
 use super::check::missing;
-use super::diagnostics::Diagnostic;
 use super::file::{RackFile, SceneFile};
 use super::located::Located;
+use super::problems::Problems;
 use super::resolve::Placed;
 use crate::math::Vec3;
 use crate::math::random::Draws;
 use crate::physics::State;
 
 /// Balls "1", "2", ... of the rack, row by row from the apex, x ascending; none if something is missing.
-pub(super) fn balls(
-    file: &SceneFile,
-    at: &Located<'_>,
-    problems: &mut Vec<Diagnostic>,
-) -> Vec<Placed> {
+pub(super) fn balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Vec<Placed> {
     let Some(rack) = &file.rack else {
         return Vec::new();
     };

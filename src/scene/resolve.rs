@@ -6,6 +6,7 @@ use super::check::missing;
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::problems::Problems;
 use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot};
 use crate::math::Vec3;
 use crate::physics::State;
@@ -19,8 +20,8 @@ pub(super) struct Placed {
 }
 
 /// The scene that `file` describes, or everything that is wrong with it.
-pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Diagnostic>> {
-    let mut problems = Vec::new();
+pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Problems> {
+    let mut problems = Problems::new();
     names::check(&file, at, &mut problems);
     laws::check(&file, at, &mut problems);
     let table = table_of(&file, at, &mut problems);
@@ -65,7 +66,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Vec<Di
     }
 }
 
-fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) -> Option<Table> {
+fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Option<Table> {
     let Some(table) = &file.table else {
         let edges = [
             ("cushion", "cushions", file.effects.cushion.is_some()),
@@ -94,17 +95,20 @@ fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) 
 }
 
 /// The balls of `[[balls]]`, without those that lack a radius or a mass.
-fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) -> Vec<Placed> {
-    let mut placed = Vec::new();
+fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Vec<Placed> {
+    let mut placed = Vec::with_capacity(file.balls.len());
+    let (mut lacking, mut turning) = (0, 0);
     for (i, ball) in file.balls.iter().enumerate() {
         let path = format!("balls[{i}]");
         let mut own_or_default = |own: Option<f64>, default: Option<f64>, what: &str| {
             let number = own.or(default);
             if number.is_none() {
-                let message = format!("ball \"{}\" has no {what}", ball.id);
-                let help = format!("add `{what}` here, or to `[ball]` for every ball");
-                let problem = missing(at.value(&path), message, help);
-                problems.push(problem.wanting(format!("ball.{what}")));
+                problems.push_along(&mut lacking, || {
+                    let message = format!("ball \"{}\" has no {what}", ball.id);
+                    let help = format!("add `{what}` here, or to `[ball]` for every ball");
+                    let problem = missing(at.value(&path), message, help);
+                    problem.wanting(format!("ball.{what}"))
+                });
             }
             number
         };
@@ -112,11 +116,13 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnosti
         let mass = own_or_default(ball.mass, file.ball.mass, "mass");
         let spin = ball.spin.unwrap_or_default();
         if spin != [0.0; 3] && !file.effects.rotates() {
-            let message = "spin has no meaning in a scene in which no effect turns balls";
-            let help =
-                "remove it, or name a law that turns balls, such as `[effects.cloth.rotational]`";
-            let span = at.value(&format!("{path}.spin"));
-            problems.push(Diagnostic::new(Kind::NoEffect, span, message, help));
+            problems.push_along(&mut turning, || {
+                let message = "spin has no meaning in a scene in which no effect turns balls";
+                let help =
+                    "remove it, or name a law that turns balls, such as `[effects.cloth.rotational]`";
+                let span = at.value(&format!("{path}.spin"));
+                Diagnostic::new(Kind::NoEffect, span, message, help)
+            });
         }
         if let (Some(radius), Some(mass)) = (radius, mass) {
             let velocity = ball.velocity.unwrap_or_default();

@@ -4,6 +4,7 @@ use super::check::LARGEST;
 use super::diagnostics::{Diagnostic, Kind, nearest, short};
 use super::file::{SceneFile, ShotFile};
 use super::located::Located;
+use super::problems::Problems;
 use super::resolve::Placed;
 use super::{Shot, plan_vector};
 use crate::physics::Motion;
@@ -17,7 +18,7 @@ pub(super) fn play(
     file: &SceneFile,
     at: &Located<'_>,
     placed: &mut [Placed],
-    problems: &mut Vec<Diagnostic>,
+    problems: &mut Problems,
 ) -> Option<Shot> {
     let shot = file.shot.as_ref()?;
     let (path, id) = match shot {
@@ -27,7 +28,7 @@ pub(super) fn play(
     };
     let listed = file.balls.iter().position(|ball| &ball.id == id);
     two_motions(file, at, path, listed, problems);
-    let found = problems.len();
+    let found = problems.found();
     strike(file, at, problems);
     let Some(ball) = placed.iter().position(|placed| &placed.ball.id == id) else {
         // a ball that lacks its radius or mass is in the file, and reported already
@@ -36,7 +37,7 @@ pub(super) fn play(
         }
         return None;
     };
-    if problems.len() > found {
+    if problems.found() > found {
         return None;
     }
     let (mass, radius) = (placed[ball].ball.mass, placed[ball].ball.radius);
@@ -120,7 +121,7 @@ fn two_motions(
     at: &Located<'_>,
     path: &str,
     listed: Option<usize>,
-    problems: &mut Vec<Diagnostic>,
+    problems: &mut Problems,
 ) {
     let Some((i, ball)) = listed.and_then(|i| Some((i, file.balls.get(i)?))) else {
         return;
@@ -143,7 +144,7 @@ fn two_motions(
 }
 
 /// A strike turns the ball, and its tip must meet it.
-fn strike(file: &SceneFile, at: &Located<'_>, problems: &mut Vec<Diagnostic>) {
+fn strike(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let Some(ShotFile::Strike { side, top, .. }) = file.shot else {
         return;
     };

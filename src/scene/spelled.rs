@@ -1,9 +1,8 @@
 //! The words of a scene file that tables for people repeat, each with its place: a person can be told of those that need care.
 
-use super::file::SceneFile;
-use super::located::Located;
+use super::pieces::Pieces;
+use super::read;
 use std::ops::Range;
-use toml::de::DeTable;
 
 /// Words of a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,11 +18,8 @@ pub struct Spelled {
 /// Description, units and ids of a scene file, in the order of the text; empty for a text that is no scene file.
 pub fn spelled(text: &str) -> Vec<Spelled> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (root, _) = DeTable::parse_recoverable(text);
-    let located = Located {
-        root: root.into_inner(),
-    };
-    let Ok(file) = toml::from_str::<SceneFile>(text) else {
+    let pieces = Pieces::of(text);
+    let Ok((file, located)) = read(text, pieces.as_ref()) else {
         return Vec::new();
     };
     let units = [

@@ -10,7 +10,7 @@ use super::compare::{
 use crate::engine::exact::horizon::{BAND, Horizon, Limit, Sight, horizon};
 use crate::engine::exact::sensitivity::{Influence, influences};
 use crate::engine::exact::{Exact, Precision};
-use crate::engine::{Engine, Limits, Refusal};
+use crate::engine::{Limits, Refusal, can_run};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::scene::Scene;
 use crate::trace::EventKind;
@@ -24,10 +24,7 @@ pub fn study(
     precision: Precision,
     cancelled: &AtomicBool,
 ) -> Result<Document, Refusal> {
-    let missing = Exact.missing(scene);
-    if !missing.is_empty() {
-        return Err(Refusal::NotComparable { missing });
-    }
+    can_run(&Exact, scene)?;
     let limits = Limits {
         cancelled,
         ..Limits::NONE

@@ -5,11 +5,14 @@ use crate::math::statistics::Distribution;
 use crate::scene::{Scene, printable};
 use crate::trace::{Ending, Record, Trace};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
+
+/// Most engines with settings in one list.
+pub const MOST_COLUMNS: usize = 256;
 
 /// One engine with one setting.
 #[derive(Clone)]
@@ -32,6 +35,7 @@ impl Column {
     /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`. Errors: what is wrong and what would be right, in one sentence.
     pub fn list(list: &str) -> Result<Vec<Column>, String> {
         let mut columns: Vec<Column> = Vec::new();
+        let mut labels = HashSet::new();
         for item in list.split(',').map(str::trim) {
             let mut parts = item.split(':');
             let id = parts.next().unwrap_or_default();
@@ -46,8 +50,13 @@ impl Column {
             let setting = Setting::parse(parts)
                 .map_err(|refusal| format!("{}: {refusal}", printable(item)))?;
             let column = Column { engine, setting };
-            if columns.iter().any(|known| known.label() == column.label()) {
+            if !labels.insert(column.label()) {
                 return Err(format!("`{}` is listed twice", printable(item)));
+            }
+            if columns.len() == MOST_COLUMNS {
+                return Err(format!(
+                    "more than {MOST_COLUMNS} engines are listed: every pair of them would be compared"
+                ));
             }
             columns.push(column);
         }
@@ -347,26 +356,50 @@ pub fn run_samples<T: Send>(
 /// Items that one call of a block does: few enough that a block is done soon after the user asks to stop.
 const BLOCK: u64 = 64;
 
-/// Does `items` things in blocks, in parallel. `block` does those with the indices that it is given, fewer once
-/// [`Watch::is_cancelled`]; what it answers stands in order, the same for any number of threads.
-pub fn run_blocks<T: Send>(
-    items: u64,
+/// Blocks for each thread between two foldings: so many that threads seldom wait for each other, and no more than these are ever held.
+const ROUND: u64 = 64;
+
+/// Does the things with these indices in blocks, in parallel, and hands what `block` answers to `fold` in their order, the same for any
+/// number of threads. `block` does those with the indices that it is given, fewer once [`Watch::is_cancelled`]; then no more are begun.
+///
+/// The answers of a few blocks are held at a time, however many things there are.
+pub fn fold_blocks<T: Send>(
+    indices: Range<u64>,
     what: &str,
     watch: Watch<'_>,
     block: impl Fn(Range<u64>) -> T + Sync,
-) -> Vec<T> {
-    let blocks = items.div_ceil(BLOCK);
-    let (done, often) = (AtomicUsize::new(0), (blocks as usize).div_ceil(TOLD).max(1));
-    let run = |number: u64| {
-        let answer = block(number * BLOCK..items.min((number + 1) * BLOCK));
+    mut fold: impl FnMut(T),
+) {
+    let items = indices.end.saturating_sub(indices.start);
+    let (done, often) = (
+        AtomicU64::new(0),
+        items.div_ceil(BLOCK * TOLD as u64).max(1),
+    );
+    let run = |range: Range<u64>| {
+        let answer = block(range);
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if count.is_multiple_of(often) || count as u64 == blocks {
-            let so_far = items.min(count as u64 * BLOCK);
-            (watch.progress)(so_far as usize, items as usize, what);
+        if count.is_multiple_of(often) || count == items.div_ceil(BLOCK) {
+            let of = |items: u64| usize::try_from(items).unwrap_or(usize::MAX);
+            let so_far = items.min(count.saturating_mul(BLOCK));
+            (watch.progress)(of(so_far), of(items), what);
         }
         answer
     };
-    (0..blocks).into_par_iter().map(run).collect()
+    let round = BLOCK * ROUND * rayon::current_num_threads() as u64;
+    let mut from = indices.start;
+    while from < indices.end && !watch.is_cancelled() {
+        let to = from.saturating_add(round).min(indices.end);
+        let blocks = (to - from).div_ceil(BLOCK);
+        let answers: Vec<T> = (0..blocks)
+            .into_par_iter()
+            .map(|number| {
+                let start = from + number * BLOCK;
+                run(start..start.saturating_add(BLOCK).min(to))
+            })
+            .collect();
+        answers.into_iter().for_each(&mut fold);
+        from = to;
+    }
 }
 
 /// Runs one scene in one column within a number of events, untimed.

@@ -79,7 +79,8 @@ impl Recorder {
     /// Adds an event and answers its index.
     pub fn event(&mut self, time: f64, kind: EventKind, exchanges: Option<u64>) -> u32 {
         let index = self.event_count;
-        self.event_count += 1;
+        // a run without a record may have more than can be named, and nobody asks for their names
+        self.event_count = self.event_count.saturating_add(1);
         let kept = self.record != Record::Final || matches!(kind, EventKind::Pocket(..));
         if kept {
             self.events.push(Event {
@@ -183,7 +184,7 @@ impl Recorder {
             }
         }
         // counted, not accumulated: the cadence must not drift
-        self.samples = self.samples.max((time / cadence) as u64) + 1;
+        self.samples = self.samples.max((time / cadence) as u64).saturating_add(1);
         self.next_sample = self.samples as f64 * cadence;
     }
 

@@ -152,7 +152,7 @@ fn growth_is_the_largest_singular_value_of_a_map_made_of_differences() {
     for name in ["three-ball", "six-balls", "oblique"] {
         let scene = catalogue::scene(name).unwrap();
         let trace = traced(&scene);
-        let found = growth(&scene, &trace, true).unwrap();
+        let found = growth(&scene, &trace, true, &Limits::NONE).unwrap();
         assert_eq!(found.factors.len(), trace.events.len(), "{name}");
         let (length, speed) = (scene.smallest_radius(), scene.largest_speed());
         let n = scene.balls.len();

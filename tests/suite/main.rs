@@ -3,6 +3,7 @@
 
 mod accepting;
 mod architecture;
+mod bounds;
 mod check;
 mod claims;
 mod cli;

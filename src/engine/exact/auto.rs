@@ -82,7 +82,11 @@ fn judged<T: Real>(
 ) -> Trace {
     let scene = solver.scene;
     let mut trace = solver.run(provenance, record, limits);
-    trace.certainty = certify(scene, &trace, T::ULP);
+    trace.certainty = certify(scene, &trace, T::ULP, limits);
+    if trace.certainty.len() < trace.events.len() {
+        // the user asked to stop before it was known whether these digits are enough
+        trace.ending = Ending::Cancelled;
+    }
     trace.counters.insert(BITS.to_owned(), u64::from(T::BITS));
     trace
 }

@@ -4,6 +4,9 @@
 //! probe disturbs centre, velocity and clock by all the rounding that one event can do to them, with random signs, and the dual
 //! arithmetic carries every disturbance to every later event. The estimate is [`DEVIATIONS`] times the root mean square of the
 //! probes. It is linear, so it holds as long as the error stays small, which is up to the horizon.
+//!
+//! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
+//! that could not change what is said.
 
 use super::flight::Flight;
 use super::predict::{Near, Notes, View};
@@ -11,6 +14,7 @@ use super::simultaneous::Cluster;
 use super::spin::Moving;
 use super::tangent::{Replay, Script};
 use super::world::World;
+use crate::engine::Limits;
 use crate::math::random::Draws;
 use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Certainty, Ending, Event, EventKind, Trace};
@@ -25,6 +29,10 @@ const PROBES: usize = 16;
 /// beyond three deviations once in 400 events.
 const DEVIATIONS: f64 = 4.0;
 
+/// Balls within reach of each other, at most, whose impacts are tried in every order: beyond, the order is taken to matter. No
+/// instant of a run before its horizon has so many.
+const MOST_IN_REACH: usize = 32;
+
 /// Seed of the signs; any number would do.
 const SEED: u64 = 7;
 
@@ -34,32 +42,76 @@ const SPEED_ROUNDINGS: f64 = 2.0;
 /// Roundings of the clock in one event.
 const CLOCK: f64 = 2.0;
 
-/// Certainty of every event of a trace of the exact engine, in a scalar whose unit in the last place is `ulp`. Empty for more than
-/// [`MOST_BALLS`] balls.
-pub fn certify(scene: &Scene, trace: &Trace, ulp: f64) -> Vec<Certainty> {
-    if scene.balls.len() > MOST_BALLS {
+/// Certainty of every event of a trace of the exact engine, in a scalar whose unit in the last place is `ulp`.
+///
+/// Empty for more than [`MOST_BALLS`] balls, for a run that the user stopped, and where the user asks to stop meanwhile: a list that is
+/// not whole would be taken for one.
+pub fn certify(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> Vec<Certainty> {
+    if scene.balls.len() > MOST_BALLS || trace.ending == Ending::Cancelled {
         return Vec::new();
     }
     let script = Script::new(scene, trace);
-    let mut probes = Some(Probes::new(&script, ulp));
-    let mut table = Table::new(&script);
-    let mut found = Vec::with_capacity(trace.events.len());
-    for (index, event) in trace.events.iter().enumerate() {
+    certified(&script, ulp, limits).0
+}
+
+/// The certainty of all events, and the work that it took.
+fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certainty>, Work) {
+    let events = &script.trace.events;
+    let mut probes = Some(Probes::new(script, ulp));
+    let mut table = Table::new(script);
+    let later = next_times(events, script.scene.balls.len());
+    let mut found = Vec::with_capacity(events.len());
+    for (index, event) in events.iter().enumerate() {
+        if limits.is_cancelled() {
+            return (Vec::new(), table.work);
+        }
         let time_error = probes.as_mut().and_then(|probes| probes.error(event, ulp));
         if time_error.is_none() {
             // what follows an event without a derivative has none either
             probes = None;
         }
-        let mut certainty = table.certainty(event);
+        let after = Some(later[index] - event.time);
+        let mut certainty = table.certainty(event, after);
         certainty.time_error = time_error;
         if !certainty.is_clear() && !table.order_matters(event, time_error.unwrap_or_default()) {
             // what else there is at this instant makes no difference
-            certainty.margin = table.margin_after(event);
+            certainty.margin = after;
         }
         table.pass(index, event);
+        table.work.events += 1;
         found.push(certainty);
     }
-    found
+    (found, table.work)
+}
+
+/// For each event the time of the first one later than it of any of its balls, s; infinite where there is none. One pass from the end.
+fn next_times(events: &[Event], balls: usize) -> Vec<f64> {
+    // of each ball the time of its next event, and that of the first one which is later than that
+    let mut next = vec![[f64::INFINITY; 2]; balls];
+    let mut times = vec![f64::INFINITY; events.len()];
+    for (event, found) in events.iter().zip(&mut times).rev() {
+        let (a, b) = event.kind.balls();
+        for ball in std::iter::once(a).chain(b) {
+            let [first, second] = &mut next[ball];
+            if *first > event.time {
+                *second = *first;
+            }
+            *first = event.time;
+            *found = found.min(*second);
+        }
+    }
+    times
+}
+
+/// What was done to certify a run: it grows as the number of events does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Work {
+    /// Events.
+    events: u64,
+    /// Balls that were looked at for an event.
+    looks: u64,
+    /// Clusters of which every order was tried.
+    searches: u64,
 }
 
 /// The run with the roundings of every event.
@@ -138,6 +190,7 @@ struct Table<'a> {
     flights: Vec<Flight<f64>>,
     versions: Vec<u32>,
     notes: Notes<f64>,
+    work: Work,
 }
 
 impl<'a> Table<'a> {
@@ -150,11 +203,12 @@ impl<'a> Table<'a> {
             versions: vec![0; flights.len()],
             flights,
             notes: Notes::default(),
+            work: Work::default(),
         }
     }
 
-    /// Margin and condition of the event that is next, seen from before it.
-    fn certainty(&mut self, event: &Event) -> Certainty {
+    /// Margin and condition of the event that is next, seen from before it. `after`: s to the next later event of its balls.
+    fn certainty(&mut self, event: &Event, after: Option<f64>) -> Certainty {
         let (a, b) = event.kind.balls();
         let known = encounter(event.kind);
         let margin = match event.kind {
@@ -163,7 +217,7 @@ impl<'a> Table<'a> {
                 let next = balls.map(|ball| self.next(ball, event.time, known));
                 Some(next.fold(f64::INFINITY, f64::min))
             }
-            _ => self.margin_after(event),
+            _ => after,
         };
         Certainty {
             margin,
@@ -189,15 +243,6 @@ impl<'a> Table<'a> {
         (next.time.min(end) - now).max(0.0)
     }
 
-    /// Time from the event to the next later one of its balls, s.
-    fn margin_after(&self, event: &Event) -> Option<f64> {
-        let events = &self.script.trace.events;
-        let later = events
-            .iter()
-            .find(|other| other.time > event.time && other.kind.shares_ball(event.kind));
-        Some(later.map_or(f64::INFINITY, |other| other.time - event.time))
-    }
-
     fn condition(&self, event: &Event) -> Option<f64> {
         let state = |ball: usize| self.flights[ball].at(event.time);
         let (along, normal) = match event.kind {
@@ -218,23 +263,38 @@ impl<'a> Table<'a> {
     }
 
     /// True if impacts within `window` seconds of this one could come in another order with another result.
-    fn order_matters(&self, event: &Event, window: f64) -> bool {
+    ///
+    /// Also where that is not tried: within as much time as the whole run took anything could have come first, and so it could among
+    /// more than [`MOST_IN_REACH`] balls.
+    fn order_matters(&mut self, event: &Event, window: f64) -> bool {
         if self.script.scene.simultaneous == Simultaneous::GeneralizedReflections {
             // the convention takes them all at once
             return false;
+        }
+        if window > self.script.trace.end_time {
+            return true;
         }
         let state = |ball: usize| self.flights[ball].at(event.time);
         let everyone = |_: usize| (0..self.flights.len()).collect();
         let (a, b) = event.kind.balls();
         let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
-        Cluster::around(&self.world, &seeds, &state, &everyone, window).order_matters()
+        self.work.searches += 1;
+        Cluster::around(
+            &self.world,
+            &seeds,
+            &state,
+            &everyone,
+            window,
+            MOST_IN_REACH,
+        )
+        .order_matters()
     }
 
     /// Takes the balls of an event to its far side.
     fn pass(&mut self, index: usize, event: &Event) {
-        for (ball, state) in &self.script.far[index] {
+        for (ball, state) in self.script.far(index) {
             let moving = Moving::lifted(state);
-            self.flights[*ball] = match &self.world.rotation {
+            self.flights[ball] = match &self.world.rotation {
                 None => {
                     let Moving {
                         position, velocity, ..
@@ -243,7 +303,7 @@ impl<'a> Table<'a> {
                 }
                 Some(rotation) => {
                     rotation
-                        .depart(self.world.radius[*ball], event.time, moving)
+                        .depart(self.world.radius[ball], event.time, moving)
                         .0
                 }
             };

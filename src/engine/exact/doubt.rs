@@ -88,7 +88,7 @@ impl<T: Real> Loop<'_, T> {
         // no two balls close in faster than this
         let gap = world.touching + (world.fastest + world.fastest) * window;
         let neighbours = |ball: usize| self.neighbours(ball, gap);
-        let cluster = Cluster::around(world, seeds, state, &neighbours, window);
+        let cluster = Cluster::around(world, seeds, state, &neighbours, window, usize::MAX);
         if self.solver.spins.is_empty() {
             return cluster;
         }

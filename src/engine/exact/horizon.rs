@@ -11,7 +11,7 @@ use super::{Exact, Precision};
 use crate::engine::{Engine, Limits};
 use crate::math::{DoubleDouble, Octuple, Real, worse};
 use crate::scene::Scene;
-use crate::trace::{Event, EventKind, Trace};
+use crate::trace::{Ending, Event, EventKind, Trace};
 use std::collections::HashMap;
 
 pub use super::certainty::MOST_BALLS;
@@ -78,7 +78,8 @@ impl Horizon {
     }
 }
 
-/// The horizon of `scene` in `precision`. `whole_growth`: growth at every event, not at the last alone.
+/// The horizon of `scene` in `precision`. `whole_growth`: growth at every event, not at the last alone. The run of one that the user
+/// stopped has the ending `Cancelled`.
 ///
 /// `None` where there is no wider scalar to hold it against, for `auto`, which has no precision of its own, and for more balls than
 /// [`MOST_BALLS`].
@@ -102,7 +103,11 @@ pub fn horizon(
         Precision::F256 | Precision::Auto => return None,
     };
     horizon.trace.provenance.engine = Exact.id().to_owned();
-    horizon.growth = growth(scene, &horizon.trace, whole_growth);
+    horizon.growth = growth(scene, &horizon.trace, whole_growth, limits);
+    if limits.is_cancelled() {
+        // what was cut short says nothing, wherever it was cut
+        horizon.trace.ending = Ending::Cancelled;
+    }
     Some(horizon)
 }
 
@@ -113,7 +118,7 @@ fn held_against<T: Real, W: Real>(
     limits: &Limits<'_>,
 ) -> Horizon {
     let (run, witness) = (solve::<T>(scene, limits), solve::<W>(scene, limits));
-    let sights = sights(scene, &run, &witness);
+    let sights = sights(scene, &run, &witness, limits);
     let failing = sights
         .iter()
         .enumerate()
@@ -173,8 +178,13 @@ fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solu
     }
 }
 
-fn sights<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solution<W>) -> Vec<Sight> {
-    let certainty = certify(scene, &run.trace, T::ULP);
+fn sights<T: Real, W: Real>(
+    scene: &Scene,
+    run: &Solution<T>,
+    witness: &Solution<W>,
+    limits: &Limits<'_>,
+) -> Vec<Sight> {
+    let certainty = certify(scene, &run.trace, T::ULP, limits);
     let (ours, theirs) = (Places::new(&run.trace), Places::new(&witness.trace));
     let length = scene.smallest_radius();
     let speed = scene.largest_speed().max(f64::MIN_POSITIVE);

@@ -2,6 +2,7 @@
 
 use super::spin::Moving;
 use super::tangent::{Replay, Rough, Script};
+use crate::engine::Limits;
 use crate::math::{Dual, Real};
 use crate::physics::{Contact, Cushion, Pockets};
 use crate::scene::Scene;
@@ -26,7 +27,8 @@ pub const MOST_BALLS: usize = 64;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Growth {
     /// Largest singular value of the tangent map from time 0 to just after each event, in the order of the events. Lengths are in
-    /// R, speeds in the largest initial speed, spins in that over R. Shorter than the events if one of them has no derivative.
+    /// R, speeds in the largest initial speed, spins in that over R. Shorter than the events if one of them has no derivative, or the
+    /// user asked to stop.
     pub factors: Vec<f64>,
     /// The first event without a derivative.
     pub rough: Option<usize>,
@@ -42,7 +44,7 @@ impl Growth {
 /// Growth of perturbations along a trace of the exact engine; `None` for more balls than [`MOST_BALLS`].
 ///
 /// `whole`: at every event; else only after the last one.
-pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
+pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) -> Option<Growth> {
     let balls = scene.balls.len();
     if balls > MOST_BALLS {
         return None;
@@ -87,6 +89,9 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
         .collect();
     let mut growth = Growth::default();
     for (index, event) in trace.events.iter().enumerate() {
+        if limits.is_cancelled() {
+            break;
+        }
         for replay in &mut batches {
             if let Some(Err(Rough { index })) = replay.step() {
                 growth.rough = Some(index);

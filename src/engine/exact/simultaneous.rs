@@ -41,6 +41,8 @@ pub struct Cluster<'a, T: Real> {
     pub spins: Vec<[T; 3]>,
     /// Who is within reach of whom, by member (position in `balls`).
     pub touches: Vec<Touch<T>>,
+    /// False if it has more balls than were asked for, and was left unfinished.
+    whole: bool,
 }
 
 /// Velocity `v` of two components as a law wants it.
@@ -50,13 +52,15 @@ fn spatial<T: Real>(v: [T; 2]) -> Vector3<T> {
 
 impl<'a, T: Real> Cluster<'a, T> {
     /// The cluster around `seeds`. `state`: centre and velocity of a ball; `neighbours`: in scene order, all that may be
-    /// within reach of one; two parties are within reach if their gap is touching, or closes within `window` seconds.
+    /// within reach of one; two parties are within reach if their gap is touching, or closes within `window` seconds. It
+    /// is left unfinished as soon as it has more than `most` balls.
     pub fn around(
         world: &'a World<T>,
         seeds: &[usize],
         state: &dyn Fn(usize) -> ([T; 2], [T; 2]),
         neighbours: &dyn Fn(usize) -> Vec<usize>,
         window: T,
+        most: usize,
     ) -> Self {
         let mut cluster = Cluster {
             world,
@@ -64,6 +68,7 @@ impl<'a, T: Real> Cluster<'a, T> {
             velocities: Vec::new(),
             spins: Vec::new(),
             touches: Vec::new(),
+            whole: true,
         };
         let mut members: BTreeSet<usize> = seeds.iter().copied().collect();
         // pairs within reach, the smaller index first, with the vector between their centres
@@ -84,6 +89,10 @@ impl<'a, T: Real> Cluster<'a, T> {
                     pairs.push((ball, other, p));
                 }
                 if members.insert(other) {
+                    if members.len() > most {
+                        cluster.whole = false;
+                        return cluster;
+                    }
                     cluster.balls.push(other);
                 }
             }
@@ -172,8 +181,11 @@ impl<'a, T: Real> Cluster<'a, T> {
             .collect()
     }
 
-    /// True unless every order of the impacts leaves the same velocities, up to rounding.
+    /// True unless every order of the impacts leaves the same velocities, up to rounding; true for an unfinished cluster.
     pub fn order_matters(&self) -> bool {
+        if !self.whole {
+            return true;
+        }
         let mut search = Search {
             tried: 0,
             result: None,

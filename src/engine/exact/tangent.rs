@@ -29,22 +29,58 @@ pub struct Script<'a> {
     pub scene: &'a Scene,
     /// Its run.
     pub trace: &'a Trace,
-    /// The balls of each event with their states on its far side.
-    pub far: Vec<Vec<(usize, State)>>,
+    /// Where in `sides` those of each event begin; one more at the end.
+    first: Vec<usize>,
+    /// The far sides of all events, one after another: ball, and index of the knot in its path.
+    sides: Vec<(u32, u32)>,
 }
 
 impl<'a> Script<'a> {
-    /// Reads the far sides of all events.
+    /// Finds the far sides of all events: two passes over the knots.
     pub fn new(scene: &'a Scene, trace: &'a Trace) -> Self {
-        let mut far = vec![Vec::new(); trace.events.len()];
-        for (ball, path) in trace.paths.iter().enumerate() {
-            for knot in &path.knots {
-                if let Some(sides) = knot.after.and_then(|event| far.get_mut(event as usize)) {
-                    sides.push((ball, knot.state));
-                }
-            }
+        let events = trace.events.len();
+        let far = || {
+            trace
+                .paths
+                .iter()
+                .enumerate()
+                .flat_map(move |(ball, path)| {
+                    let knots = path.knots.iter().enumerate();
+                    knots.filter_map(move |(knot, found)| {
+                        let event = found.after.map(|event| event as usize)?;
+                        (event < events).then_some((event, (ball as u32, knot as u32)))
+                    })
+                })
+        };
+        let mut first = vec![0; events + 1];
+        for (event, _) in far() {
+            first[event + 1] += 1;
         }
-        Script { scene, trace, far }
+        for event in 0..events {
+            first[event + 1] += first[event];
+        }
+        let mut sides = vec![(0, 0); first[events]];
+        let mut next = first.clone();
+        for (event, side) in far() {
+            sides[next[event]] = side;
+            next[event] += 1;
+        }
+        Script {
+            scene,
+            trace,
+            first,
+            sides,
+        }
+    }
+
+    /// The balls of an event with their states on its far side, by scene order.
+    pub fn far(&self, event: usize) -> impl Iterator<Item = (usize, &'a State)> {
+        let sides = &self.sides[self.first[event]..self.first[event + 1]];
+        let trace = self.trace;
+        sides.iter().map(move |(ball, knot)| {
+            let ball = *ball as usize;
+            (ball, &trace.paths[ball].knots[*knot as usize].state)
+        })
     }
 }
 
@@ -305,7 +341,7 @@ impl<'a, const N: usize> Replay<'a, N> {
 
     /// Sets the values to those of the trace on the far side of an event.
     fn anchor(&self, index: usize, ball: usize, moving: &mut Moving<Dual<f64, N>>) {
-        let known = self.script.far[index].iter().find(|side| side.0 == ball);
+        let known = self.script.far(index).find(|side| side.0 == ball);
         if let Some((_, state)) = known {
             for axis in 0..2 {
                 moving.position[axis].value = state.position[axis];

@@ -3,7 +3,7 @@
 //! Materials, combination rules, locks and gravity are not here: they are the scene.
 
 use crate::engine::setting::refuse;
-use crate::engine::{Refusal, Setting};
+use crate::engine::{Refusal, Setting, clock};
 use crate::scene::Scene;
 use rapier3d_f64::dynamics::IntegrationParameters;
 use schemars::JsonSchema;
@@ -187,13 +187,7 @@ impl Settings {
 
     /// The same settings with everything that depends on the scene decided.
     pub fn for_scene(mut self, scene: &Scene) -> Result<Self, Refusal> {
-        let steps = scene.duration / self.dt;
-        if steps > MOST_STEPS {
-            return Err(refuse(format!(
-                "`dt={}`: the {} s of scene {} would take {steps:.1e} steps, more than {MOST_STEPS:.0e}; raise dt",
-                self.dt, scene.duration, scene.name
-            )));
-        }
+        clock::check_step(self.dt, scene, MOST_STEPS)?;
         if self.ccd == Ccd::Auto {
             let slow = scene.largest_speed() * self.dt < 0.5 * scene.smallest_radius();
             self.ccd = if slow { Ccd::Off } else { Ccd::Cue };

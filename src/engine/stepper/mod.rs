@@ -18,7 +18,7 @@ mod sheet;
 mod walls;
 
 use super::setting::{knobs_of, refuse};
-use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
+use super::{About, Engine, Knob, Pace, Refusal, Run, Setting, clock};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, Contact};
 use crate::scene::{Scene, Shot};
@@ -96,14 +96,7 @@ impl Default for Settings {
 impl Settings {
     fn read(setting: &Setting, scene: &Scene) -> Result<Self, Refusal> {
         let settings: Settings = setting.read()?;
-        let dt = settings.dt;
-        if dt <= 0.0 || scene.duration / dt > MOST_STEPS {
-            let message = format!(
-                "`dt={dt}`: expected a step above 0 s and at most {MOST_STEPS:e} steps in {} s",
-                scene.duration
-            );
-            return Err(refuse(message));
-        }
+        clock::check_step(settings.dt, scene, MOST_STEPS)?;
         if settings.launch == Launch::AsWritten && !matches!(scene.shot, Some(Shot::Force { .. })) {
             return Err(refuse(
                 "`launch=as-written` needs a scene with [shot.force]: v = F dt / m".to_owned(),

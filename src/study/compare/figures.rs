@@ -2,6 +2,7 @@
 
 use super::words::describe_kind;
 use super::{Entry, Outcome};
+use crate::engine::Limits;
 use crate::engine::exact::sensitivity::growth;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
 use crate::scene::Scene;
@@ -297,7 +298,9 @@ pub(super) fn certainty(outcome: &Outcome) -> Vec<Figure> {
     };
     let scene = &outcome.scene;
     let small = scene.balls.len() <= FEW_BALLS && horizon.sights.len() <= FEW_EVENTS;
-    let growth = small.then(|| growth(scene, &horizon.trace, true)).flatten();
+    let growth = small
+        .then(|| growth(scene, &horizon.trace, true, &Limits::NONE))
+        .flatten();
     let figures = [
         growth
             .as_ref()

@@ -30,6 +30,9 @@ use thiserror::Error;
 /// Most samples of one ensemble.
 pub const MOST_SAMPLES: usize = 10_000_000;
 
+/// Most ends of balls that are kept, over all samples and engines: 40 bytes each, and as much again while they are sorted.
+pub const MOST_ENDS: usize = 100_000_000;
+
 /// What to run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -37,7 +40,7 @@ pub struct Plan {
     pub scene: Scene,
     /// How it varies.
     pub law: Law,
-    /// Number of samples, 1 to [`MOST_SAMPLES`].
+    /// Number of samples, 1 to [`MOST_SAMPLES`], and fewer where [`MOST_ENDS`] are reached before.
     pub samples: usize,
     /// Seed of all draws.
     pub seed: u64,
@@ -53,8 +56,19 @@ pub enum EnsembleError {
     #[error(transparent)]
     Law(#[from] PerturbError),
     /// The number of samples is out of range.
-    #[error("an ensemble has 1 to {MOST_SAMPLES} samples, not {0}")]
-    Samples(usize),
+    #[error(
+        "an ensemble of {balls} balls in {engines} engines has 1 to {most} samples, not {samples}"
+    )]
+    Samples {
+        /// What was asked for.
+        samples: usize,
+        /// Balls of the scene.
+        balls: usize,
+        /// Engines of the plan.
+        engines: usize,
+        /// The largest number that is taken.
+        most: usize,
+    },
     /// There is nothing to run it in.
     #[error("an ensemble needs an engine, such as exact")]
     NoEngine,
@@ -122,11 +136,20 @@ pub fn plan_columns(named: &[Column]) -> Vec<Column> {
 
 /// Runs an ensemble. Answers the same to the bit for any number of threads.
 pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
-    if !(1..=MOST_SAMPLES).contains(&plan.samples) {
-        return Err(EnsembleError::Samples(plan.samples));
-    }
     if plan.columns.is_empty() {
         return Err(EnsembleError::NoEngine);
+    }
+    let (balls, engines) = (plan.scene.balls.len(), plan.columns.len());
+    let most = MOST_SAMPLES
+        .min(MOST_ENDS / (balls * engines).max(1))
+        .max(1);
+    if !(1..=most).contains(&plan.samples) {
+        return Err(EnsembleError::Samples {
+            samples: plan.samples,
+            balls,
+            engines,
+            most,
+        });
     }
     let perturbation = Perturbation::new(&plan.scene, plan.law)?;
     let seed = plan.seed;

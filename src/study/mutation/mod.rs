@@ -228,10 +228,17 @@ fn drawn_recipe(draws: &mut Draws) -> Recipe {
 pub struct Plan {
     /// Index of the first input.
     pub first: u64,
-    /// Number of inputs.
+    /// Number of inputs; those whose index would be beyond [`u64::MAX`] - 1 do not exist.
     pub inputs: u64,
     /// Seed of all of them.
     pub seed: u64,
+}
+
+impl Plan {
+    /// The indices of the inputs.
+    pub fn indices(&self) -> Range<u64> {
+        self.first..self.first.saturating_add(self.inputs)
+    }
 }
 
 /// An input that shows a fault.
@@ -312,17 +319,16 @@ pub fn study(plan: Plan, examples: &Examples, watch: Watch<'_>) -> Outcome {
             if watch.is_cancelled() {
                 break;
             }
-            let index = plan.first + index;
             let (reader, input) = examples.input(plan.seed, index);
             let examined = caught(|| examples.examine(&input)).unwrap_or_else(Err);
             found.see(index, reader, examined);
         }
         found
     };
-    let blocks = matrix::run_blocks(plan.inputs, "mutated inputs", watch, block);
     let mut outcome = Outcome::empty(plan);
-    for block in blocks {
-        outcome.add(block);
-    }
+    let what = "mutated inputs";
+    matrix::fold_blocks(plan.indices(), what, watch, block, |found| {
+        outcome.add(found);
+    });
     outcome
 }

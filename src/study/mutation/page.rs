@@ -29,7 +29,7 @@ pub fn summary(outcome: &Outcome) -> Document {
         "Inputs {} to {} of seed {}. Held: no panic; every error has a place and words; what is accepted holds finite numbers, and is \
          written as text that reads back as the same.",
         plan.first,
-        plan.first + plan.inputs.saturating_sub(1),
+        plan.indices().end.saturating_sub(1).max(plan.first),
         plan.seed
     )));
     Document {

@@ -32,7 +32,7 @@ const KEPT: usize = 1000;
 pub struct Plan {
     /// Index of the first scene.
     pub first: u64,
-    /// Number of scenes.
+    /// Number of scenes; those whose index would be beyond [`u64::MAX`] - 1 do not exist.
     pub scenes: u64,
     /// Seed of all of them.
     pub seed: u64,
@@ -40,6 +40,13 @@ pub struct Plan {
     pub columns: Vec<Column>,
     /// Events after which an event-driven run ends.
     pub max_events: u64,
+}
+
+impl Plan {
+    /// The indices of the scenes.
+    pub fn indices(&self) -> Range<u64> {
+        self.first..self.first.saturating_add(self.scenes)
+    }
 }
 
 /// The worst of something and the scene it was seen in.
@@ -116,15 +123,15 @@ pub fn study(plan: Plan, watch: Watch<'_>) -> Outcome {
             if watch.is_cancelled() {
                 break;
             }
-            found.run(plan.first + index, watch.cancelled);
+            found.run(index, watch.cancelled);
         }
         found
     };
-    let blocks = matrix::run_blocks(plan.scenes, "random scenes", watch, block);
     let mut outcome = Outcome::empty(&plan);
-    for block in blocks {
-        outcome.add(block);
-    }
+    let what = "random scenes";
+    matrix::fold_blocks(plan.indices(), what, watch, block, |found| {
+        outcome.add(found);
+    });
     outcome
 }
 

@@ -25,7 +25,7 @@ pub fn summary(outcome: &Outcome) -> Document {
         format!(
             "Scenes {} to {} of seed {}; `carom fuzz --seed {} --show N` prints scene N.",
             plan.first,
-            plan.first + plan.scenes.saturating_sub(1),
+            plan.indices().end.saturating_sub(1).max(plan.first),
             plan.seed,
             plan.seed
         ),

@@ -97,7 +97,7 @@ fn handed_on(scene: &Scene, trace: &Trace, limits: &Limits<'_>) -> Vec<f64> {
     for chunk in times.chunks(stride) {
         let rest = from(scene, trace, chunk[0]).map(|rest| {
             let again = solve::<f64>(&rest, limits).trace;
-            factor(&rest, &again, growth(&rest, &again, false).as_ref())
+            factor(&rest, &again, growth(&rest, &again, false, limits).as_ref())
         });
         grown.extend(chunk.iter().map(|_| rest.unwrap_or(1.0)));
     }

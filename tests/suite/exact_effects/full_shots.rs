@@ -198,7 +198,7 @@ fn derivatives_with_rotation_are_those_of_perturbed_pairs() {
         "{} inputs, {compared} derivatives",
         found.len()
     );
-    let grown = growth(&scene, &trace, true).unwrap();
+    let grown = growth(&scene, &trace, true, &Limits::NONE).unwrap();
     assert_eq!(
         (grown.rough, grown.factors.len()),
         (None, trace.events.len())
