@@ -299,7 +299,7 @@ pub struct FuzzArguments {
 /// Arguments of `carom check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// Scenes: catalogue names or files. Without any: the set `gate`.
+    /// Scenes: catalogue names or files, and `random-scenes` for some thousand of one seed. Without any: the set `gate` and those.
     pub scenes: Vec<String>,
     /// Folder of the baselines, one CSV file a scene. The default is looked for below the current folder.
     #[arg(long, value_name = "DIR", default_value = "validation/baselines")]

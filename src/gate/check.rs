@@ -9,7 +9,7 @@ use crate::study::check::{Level, Outcome, level, unit_of};
 pub struct Held {
     /// What was found.
     pub outcome: Outcome,
-    /// By scene; `None` where nothing was accepted.
+    /// By part of the outcome: scenes, then the random ones; `None` where nothing was accepted.
     pub accepted: Vec<Option<Accepted>>,
     /// What differs, in the scenes of which something was accepted.
     pub changes: Vec<Located>,
@@ -44,19 +44,19 @@ impl Held {
         if held.outcome.missing() > 0 {
             return held;
         }
-        for (scene, accepted) in held.outcome.scenes.iter().zip(&held.accepted) {
+        for ((scene, hash), accepted) in held.outcome.parts().into_iter().zip(&held.accepted) {
             let Some(accepted) = accepted else {
                 continue;
             };
-            if accepted.hash != scene.hash() {
-                held.stale.push(scene.name.clone());
+            if accepted.hash != hash {
+                held.stale.push(scene.clone());
             }
-            let changes = diff(&accepted.rows, &held.rows(&scene.name), |row| {
+            let changes = diff(&accepted.rows, &held.rows(&scene), |row| {
                 held.outcome.tolerance(&row.engine, &row.check)
             });
             held.changes
                 .extend(changes.into_iter().map(|change| Located {
-                    scene: scene.name.clone(),
+                    scene: scene.clone(),
                     change,
                 }));
         }
@@ -78,10 +78,10 @@ impl Held {
 
     /// Names of scenes of which nothing was accepted.
     pub fn unknown(&self) -> Vec<&str> {
-        let scenes = self.outcome.scenes.iter().zip(&self.accepted);
-        scenes
+        let parts = self.outcome.names().into_iter().zip(&self.accepted);
+        parts
             .filter(|(_, accepted)| accepted.is_none())
-            .map(|(scene, _)| scene.name.as_str())
+            .map(|(name, _)| name)
             .collect()
     }
 
@@ -98,8 +98,8 @@ impl Held {
 
     /// The accepted findings of a scene.
     pub fn accepted_of(&self, scene: &str) -> Option<&Accepted> {
-        let scenes = self.outcome.scenes.iter().zip(&self.accepted);
-        let mut own = scenes.filter(|(own, _)| own.name == scene);
+        let parts = self.outcome.names().into_iter().zip(&self.accepted);
+        let mut own = parts.filter(|(own, _)| *own == scene);
         own.next().and_then(|(_, accepted)| accepted.as_ref())
     }
 

@@ -54,6 +54,8 @@ pub enum Invariant {
     Scaling,
     /// Without friction or losses, the reversed end state runs back to the start.
     TimeReversal,
+    /// Every impact, and every motion between events, is what the laws of the scene make of it.
+    Laws,
 }
 
 impl Invariant {
@@ -73,6 +75,7 @@ impl Invariant {
             Invariant::QuarterTurn => "quarter-turn",
             Invariant::Scaling => "scaling",
             Invariant::TimeReversal => "time-reversal",
+            Invariant::Laws => "laws",
         }
     }
 }

@@ -13,6 +13,7 @@ use carom::physics::{
     Cloth, Contact, Cushion, EFFECTS, Effects, Friction, Pockets, State, friction,
 };
 use carom::scene::{Scene, Table};
+use carom::study::random::check_laws;
 use carom::trace::{Ending, Event, EventKind, Record, Trace};
 use std::collections::BTreeMap;
 
@@ -310,6 +311,10 @@ impl Case<'_> {
             }
             Invariant::Scaling => self.scaled(),
             Invariant::TimeReversal => self.reversed(),
+            Invariant::Laws => match check_laws(scene, trace).faults.first() {
+                None => Ok(()),
+                Some(fault) => Err(format!("{}: {}", fault.what, fault.words)),
+            },
         }
     }
 

@@ -8,9 +8,11 @@ use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
 use crate::scene::catalogue;
-use crate::study::Watch;
-use crate::study::check::{Level, bounds, page, study, summary};
+use crate::study::check::{
+    Level, RANDOM, RANDOM_SCENES, bounds, page, random_plan, study, summary,
+};
 use crate::study::compare::default_columns;
+use crate::study::{Watch, random};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -25,13 +27,21 @@ const COMMAND: &str = "carom check";
 /// Runs the scenes of the gate and holds them against their baselines, or accepts what is found.
 pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
-    let scenes = if arguments.scenes.is_empty() {
+    let (random, named): (Vec<String>, Vec<String>) = arguments
+        .scenes
+        .iter()
+        .cloned()
+        .partition(|name| name == RANDOM);
+    let whole = arguments.scenes.is_empty();
+    let scenes = if whole {
         catalogue::set("gate")?
     } else {
-        accepted::named(&arguments.scenes)?
+        accepted::named(&named)?
     };
+    let random = whole || !random.is_empty();
     let folder = &arguments.baseline;
-    let files = accepted::files(folder, &scenes);
+    let mut files = accepted::files(folder, &scenes);
+    files.extend(random.then(|| folder.join(format!("{RANDOM}.csv"))));
     // a file that cannot be read is said before anything runs
     let before = accepted::read(&files, COMMAND)?;
     let unread = if arguments.scenes.is_empty() {
@@ -46,7 +56,12 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         cancelled: terminal::cancelled(),
     };
     let start = Instant::now();
-    let outcome = study(&scenes, &default_columns(), watch);
+    let columns = default_columns();
+    let mut outcome = study(&scenes, &columns, watch);
+    if random {
+        let plan = random_plan(&columns, RANDOM_SCENES);
+        outcome.add_random(&random::study(plan, watch));
+    }
     let seconds = start.elapsed().as_secs_f64();
     drop(progress);
     let held = Held::new(outcome, before, unread);
@@ -94,13 +109,7 @@ fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool
     let mut opening = vec![Block::Text(ran)];
     if !held.outcome.broken.is_empty() {
         let line = |b: &crate::study::check::Broken| {
-            format!(
-                "{} in {}: {}: {}",
-                b.engine,
-                b.scene,
-                b.invariant.id(),
-                b.why
-            )
+            format!("{} in {}: {}: {}", b.engine, b.scene, b.what, b.why)
         };
         opening.push(Block::Text("Promises that do not hold:".to_owned()));
         opening.push(Block::List(held.outcome.broken.iter().map(line).collect()));
@@ -206,19 +215,20 @@ fn accept(
         return Ok(accepted::refuse(&refused));
     }
     let mut changes = Vec::new();
-    for ((scene, before), file) in held.outcome.scenes.iter().zip(&held.accepted).zip(files) {
-        let known = before.is_some() && !held.stale.contains(&scene.name);
-        let changed = held.changes.iter().any(|l| l.scene == scene.name);
+    let parts = held.outcome.parts().into_iter();
+    for (((scene, hash), before), file) in parts.zip(&held.accepted).zip(files) {
+        let known = before.is_some() && !held.stale.contains(&scene);
+        let changed = held.changes.iter().any(|l| l.scene == scene);
         if known && !changed {
             continue;
         }
         let now = Accepted {
-            scene: scene.name.clone(),
-            hash: scene.hash(),
+            hash,
             reason: reason.to_owned(),
             versions: versions::with_commit(),
-            bits: held.bits_of(&scene.name),
-            rows: held.rows(&scene.name),
+            bits: held.bits_of(&scene),
+            rows: held.rows(&scene),
+            scene,
         };
         changes.push((file, gate::write(&now)));
     }

@@ -2,7 +2,7 @@
 
 use crate::gate::{Change, Held};
 use crate::scene::printable;
-use crate::study::check::{Case, Level, ORACLE, State};
+use crate::study::check::{Case, Level, ORACLE, State, random_command};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::path::Path;
 
@@ -15,9 +15,9 @@ const SHOWN: usize = 10;
 /// JUnit XML: one suite a scene, one test case an engine and level. Errors: what cannot be written, in one sentence.
 pub fn junit(held: &Held) -> Result<String, String> {
     let mut report = Report::new("carom check");
-    for scene in &held.outcome.scenes {
-        let mut suite = TestSuite::new(printable(&scene.name));
-        let own = held.outcome.cases.iter().filter(|c| c.scene == scene.name);
+    for name in held.outcome.names() {
+        let mut suite = TestSuite::new(printable(name));
+        let own = held.outcome.cases.iter().filter(|c| c.scene == name);
         suite.add_test_cases(own.map(|case| test_case(held, case)));
         report.add_test_suite(suite);
     }
@@ -82,10 +82,11 @@ fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
         .outcome
         .broken
         .iter()
-        .filter(|b| {
-            case.level == Level::Promise && b.scene == case.scene && b.engine == case.engine
+        .filter(|b| b.level == case.level && b.scene == case.scene && b.engine == case.engine)
+        .map(|b| match b.level {
+            Level::Fuzz => format!("{} breaks {}: {}", b.engine, b.what, b.why),
+            _ => format!("{} promises {}: {}", b.engine, b.what, b.why),
         })
-        .map(|b| format!("{} promises {}: {}", b.engine, b.invariant.id(), b.why))
         .collect();
     if !broken.is_empty() {
         return Some(("promise", with_advice(held, case, broken, false)));
@@ -142,6 +143,7 @@ fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool
             case.scene,
             case.engine.replace(' ', " --set ")
         ),
+        Level::Fuzz => random_command(&case.engine, None),
     };
     lines.push(format!("to see it: {show}"));
     if up_to_you {

@@ -196,6 +196,7 @@ impl Engine for Exact {
             Invariant::Mirror,
             Invariant::Relabelling,
             Invariant::QuarterTurn,
+            Invariant::Laws,
         ];
         // a law with a speed or a unit of its own does not scale
         if !matches!(scene.effects.friction, Some(Friction::Alciatore { .. })) {

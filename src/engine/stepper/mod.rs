@@ -156,7 +156,7 @@ impl Engine for Stepper {
         Vec::new()
     }
 
-    fn promises(&self, scene: &Scene, _setting: &Setting) -> Vec<Invariant> {
+    fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
         let mut promises = vec![
             Invariant::Finite,
             Invariant::Momentum,
@@ -171,6 +171,11 @@ impl Engine for Stepper {
         };
         if lossless {
             promises.push(Invariant::ImpactEnergy);
+        }
+        // a pair that separates and exchanges all the same has no law
+        let rule = setting.read().map(|settings: Settings| settings.contact);
+        if let Ok(ContactRule::ApproachingOnly) = rule {
+            promises.push(Invariant::Laws);
         }
         if let Some(slowest) = slowest(scene)
             && scene.fastest() / slowest <= scene.duration

@@ -48,7 +48,12 @@ pub fn rub<T: Real>(
     if speed == T::zero() {
         return (one, two);
     }
-    let normal = (first.velocity - one.velocity).dot(n) * first.mass;
+    // told by the lighter ball: what a heavy one loses drowns in the rounding of its speed
+    let normal = if second.mass < first.mass {
+        (two.velocity - second.velocity).dot(n) * second.mass
+    } else {
+        (first.velocity - one.velocity).dot(n) * first.mass
+    };
     let reduced = first.mass * second.mass / (first.mass + second.mass);
     let sticking = reduced * T::lift(2.0) / T::lift(7.0);
     let limit = coefficient(law, speed) * normal;

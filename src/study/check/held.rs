@@ -1,6 +1,7 @@
 //! What is held besides the metrics of a comparison: unit, level, and by how much each may move.
 
 use super::Level;
+use super::random::FUZZ;
 use crate::compare::metric;
 use crate::finding::{Hold, Tolerance};
 
@@ -154,6 +155,13 @@ pub const HELD: &[Held] = &[
         Level::Work,
         Hold::Count,
         "a deterministic count of the work done",
+    ),
+    held(
+        FUZZ,
+        "",
+        Level::Fuzz,
+        Hold::Count,
+        "how random scenes ended, and how many impacts and motions of them were held against the laws",
     ),
 ];
 

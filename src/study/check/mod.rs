@@ -12,6 +12,7 @@ mod oracle;
 mod page;
 mod pair;
 mod promises;
+mod random;
 
 pub use distribution::{SAMPLES, SEED};
 pub use held::{HELD, Held, hold, level, tolerance, unit_of, what};
@@ -19,6 +20,7 @@ pub use oracle::ORACLE;
 pub use page::{bounds, page, summary};
 pub use pair::{between, ulp_of};
 pub use promises::Broken;
+pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash, random_plan};
 
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
@@ -44,16 +46,19 @@ pub enum Level {
     Verdict,
     /// Deterministic counts of the work done.
     Work,
+    /// Random scenes: what must hold of every one of them, which is never up to acceptance, and what became of them.
+    Fuzz,
 }
 
 impl Level {
     /// Every level.
-    pub const ALL: [Level; 5] = [
+    pub const ALL: [Level; 6] = [
         Level::Promise,
         Level::Error,
         Level::Distribution,
         Level::Verdict,
         Level::Work,
+        Level::Fuzz,
     ];
 
     /// Kebab-case name.
@@ -64,6 +69,7 @@ impl Level {
             Level::Distribution => "distribution",
             Level::Verdict => "verdict",
             Level::Work => "work",
+            Level::Fuzz => "fuzz",
         }
     }
 }
@@ -105,6 +111,8 @@ pub struct Outcome {
     pub broken: Vec<Broken>,
     /// Scene, engine and digest of events and final states: the same digest means the same bits.
     pub bits: Vec<(String, String, String)>,
+    /// Number and fingerprint of the random scenes; `None` where none were asked for.
+    pub random: Option<(u64, String)>,
     /// Rounding of the scalar of each engine, by label.
     ulps: BTreeMap<String, f64>,
 }
@@ -199,6 +207,7 @@ fn conclude(
         cases: Vec::new(),
         broken: Vec::new(),
         bits: Vec::new(),
+        random: None,
         ulps: BTreeMap::new(),
     };
     let mut answers: Vec<(Unit, Option<Answer>)> = units.iter().copied().zip(answers).collect();
@@ -296,6 +305,21 @@ impl Outcome {
                 case.state = State::Ran;
             }
         }
+    }
+
+    /// What findings are accepted of, in order, with its fingerprint: the scenes, and the random ones as a whole.
+    pub fn parts(&self) -> Vec<(String, String)> {
+        let scenes = self.scenes.iter();
+        let mut parts: Vec<_> = scenes.map(|s| (s.name.clone(), s.hash())).collect();
+        let random = self.random.iter();
+        parts.extend(random.map(|(_, hash)| (RANDOM.to_owned(), hash.clone())));
+        parts
+    }
+
+    /// Names of the parts, in order.
+    pub fn names(&self) -> Vec<&str> {
+        let scenes = self.scenes.iter().map(|scene| scene.name.as_str());
+        scenes.chain(self.random.iter().map(|_| RANDOM)).collect()
     }
 
     /// Cases that did not run to their end.

@@ -41,8 +41,12 @@ fn lead(outcome: &Outcome) -> String {
         1 => "1 promised invariant does not hold".to_owned(),
         more => format!("{more} promised invariants do not hold"),
     };
+    let random = outcome.random.as_ref();
+    let random = random.map_or(String::new(), |(count, _)| {
+        format!(" and {count} random ones")
+    });
     format!(
-        "{} scenes, {} findings; {ran} of {} cases ran, {refused} cannot be simulated; {promises}.",
+        "{} scenes{random}, {} findings; {ran} of {} cases ran, {refused} cannot be simulated; {promises}.",
         outcome.scenes.len(),
         outcome.findings.len(),
         outcome.cases.len(),
@@ -51,9 +55,9 @@ fn lead(outcome: &Outcome) -> String {
 
 /// One row a scene.
 fn scenes(outcome: &Outcome, changed: Changed<'_>) -> Table {
-    let rows = outcome.scenes.iter().map(|scene| {
-        let mut row = vec![Cell::text(&scene.name)];
-        row.extend(Level::ALL.map(|level| cell(outcome, &scene.name, None, level, changed)));
+    let rows = outcome.names().into_iter().map(|scene| {
+        let mut row = vec![Cell::text(scene)];
+        row.extend(Level::ALL.map(|level| cell(outcome, scene, None, level, changed)));
         row
     });
     Table {
@@ -68,16 +72,16 @@ fn scenes(outcome: &Outcome, changed: Changed<'_>) -> Table {
 /// One row a scene and engine.
 fn cases(outcome: &Outcome, changed: Changed<'_>) -> Table {
     let mut rows = Vec::new();
-    for scene in &outcome.scenes {
+    for scene in outcome.names() {
         let mut engines: Vec<&str> = Vec::new();
-        for case in outcome.cases.iter().filter(|c| c.scene == scene.name) {
+        for case in outcome.cases.iter().filter(|c| c.scene == scene) {
             if !engines.contains(&case.engine.as_str()) {
                 engines.push(&case.engine);
             }
         }
         for engine in engines {
-            let mut row = vec![Cell::text(&scene.name), Cell::text(engine)];
-            let own = |level| cell(outcome, &scene.name, Some(engine), level, changed);
+            let mut row = vec![Cell::text(scene), Cell::text(engine)];
+            let own = |level| cell(outcome, scene, Some(engine), level, changed);
             row.extend(Level::ALL.map(own));
             rows.push(row);
         }
@@ -117,7 +121,7 @@ fn cell(
     let broken = outcome
         .broken
         .iter()
-        .filter(|b| level == Level::Promise && b.scene == scene && wanted(&b.engine));
+        .filter(|b| b.level == level && b.scene == scene && wanted(&b.engine));
     let broken = broken.count();
     let moved: usize = cases.iter().map(|c| changed(scene, &c.engine, level)).sum();
     if cases.is_empty() {

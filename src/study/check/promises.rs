@@ -3,6 +3,7 @@
 //! Most promises have a rule of `stability`. Those that no hard case needs are looked at here: what a single impact does to energy,
 //! a rerun to the bit, a quarter turn, all lengths four times as long.
 
+use super::Level;
 use super::held::PROMISE;
 use crate::finding::{Finding, Verdict};
 use crate::math::{Vec3, worse};
@@ -22,8 +23,10 @@ pub struct Broken {
     pub scene: String,
     /// Label of the column.
     pub engine: String,
-    /// What is promised.
-    pub invariant: Invariant,
+    /// [`Level::Promise`] or [`Level::Fuzz`].
+    pub level: Level,
+    /// What is promised: the id of an invariant, or of what a random scene broke.
+    pub what: &'static str,
     /// What was found instead, in one sentence.
     pub why: String,
 }
@@ -70,7 +73,8 @@ pub fn hold(
             broken.push(Broken {
                 scene: scene.name.clone(),
                 engine: column.label(),
-                invariant,
+                level: Level::Promise,
+                what: invariant.id(),
                 why,
             });
         }

@@ -4,14 +4,17 @@
 //! how the runs ended, the worst of each bound with its scene, and every fault with the number of its scene, which anybody can
 //! make again.
 
+mod laws;
 mod page;
 mod verdict;
 
+pub use laws::Laws;
 pub use page::summary;
-pub use verdict::{Fault, MOST_ENERGY, Verdict, check};
+pub use verdict::{Fault, MOST_ENERGY, Verdict, check, check_laws};
 
 use super::matrix::{self, Column, Watch};
 use crate::engine::{Limits, Refusal};
+use crate::physics::invariants::Invariant;
 use crate::scene::adversarial::adversarial;
 use crate::scene::{Scene, parse};
 use crate::trace::{Ending, Record};
@@ -87,6 +90,57 @@ pub struct Entry {
     pub casts: u64,
     /// Pairs that a sweep gave up.
     pub given_up: u64,
+    /// What was held against the laws.
+    pub laws: Held,
+}
+
+/// What was held against the laws in all runs of an engine that promises them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Held {
+    /// Impacts that were held whole.
+    pub impacts: u64,
+    /// Farthest from its law, in what is allowed.
+    pub impact: Worst,
+    /// Impacts without a closed form that were integrated again.
+    pub integrated: u64,
+    /// Farthest from its second integral, in what is allowed.
+    pub integral: Worst,
+    /// Pieces of paths between events.
+    pub pieces: u64,
+    /// Farthest from its law, in what is allowed.
+    pub piece: Worst,
+    /// What could not be held whole, by the reason.
+    pub left_out: BTreeMap<&'static str, u64>,
+}
+
+impl Held {
+    fn see(&mut self, laws: &Laws, scene: u64) {
+        self.impacts += laws.impacts;
+        self.integrated += laws.integrated;
+        self.pieces += laws.pieces;
+        self.impact.see(laws.impact, scene);
+        self.integral.see(laws.integral, scene);
+        self.piece.see(laws.piece, scene);
+        for (why, count) in &laws.left_out {
+            *self.left_out.entry(why).or_default() += count;
+        }
+    }
+
+    fn add(&mut self, more: Held) {
+        self.impacts += more.impacts;
+        self.integrated += more.integrated;
+        self.pieces += more.pieces;
+        for (worst, other) in [
+            (&mut self.impact, more.impact),
+            (&mut self.integral, more.integral),
+            (&mut self.piece, more.piece),
+        ] {
+            worst.see(other.value, other.scene);
+        }
+        for (why, count) in more.left_out {
+            *self.left_out.entry(why).or_default() += count;
+        }
+    }
 }
 
 /// A scene that shows a fault.
@@ -157,7 +211,13 @@ pub fn judge(
     sweeps: bool,
 ) -> Result<(Ending, u64, Verdict), Refusal> {
     let trace = matrix::run_one(scene, column, Record::Events, limits)?;
-    let verdict = check(scene, &trace, sweeps);
+    let mut verdict = check(scene, &trace, sweeps);
+    let promised = column.engine.promises(scene, &column.setting);
+    if promised.contains(&Invariant::Laws) {
+        let mut laws = check_laws(scene, &trace);
+        verdict.faults.append(&mut laws.faults);
+        verdict.laws = Some(laws);
+    }
     Ok((trace.ending, trace.events.len() as u64, verdict))
 }
 
@@ -248,6 +308,9 @@ impl Entry {
             self.casts += sweep.casts;
             self.given_up += sweep.given_up;
         }
+        if let Some(laws) = &verdict.laws {
+            self.laws.see(laws, scene);
+        }
     }
 
     fn add(&mut self, more: Entry) {
@@ -258,6 +321,7 @@ impl Entry {
         self.swept += more.swept;
         self.casts += more.casts;
         self.given_up += more.given_up;
+        self.laws.add(more.laws);
         for (worst, other) in [
             (&mut self.longest, more.longest),
             (&mut self.energy, more.energy),

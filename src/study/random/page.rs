@@ -18,6 +18,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     }
     blocks.push(Block::Table(engines(outcome)));
     blocks.push(Block::Table(endings(outcome)));
+    blocks.push(Block::Table(laws(outcome)));
     if outcome.faults > 0 {
         blocks.push(Block::Table(faults(outcome)));
     }
@@ -30,7 +31,8 @@ pub fn summary(outcome: &Outcome) -> Document {
             plan.seed
         ),
         format!(
-            "Held: numbers are finite; energy never more than {MOST_ENERGY:e} above its start; nobody outside or overlapping by more \
+            "Held: every impact, and every motion between events, is that of closed forms which share nothing with the engines' laws; \
+             numbers are finite; energy never more than {MOST_ENERGY:e} above its start; nobody outside or overlapping by more \
              than rounding, or in a stepped engine than its step explains; no panic. Parry measures every overlap at every knot; \
              of every {SWEPT}th scene it sweeps the paths of engines that solve for their events."
         ),
@@ -56,14 +58,15 @@ fn headline(outcome: &Outcome) -> String {
     }
 }
 
+fn worst(worst: Worst) -> Cell {
+    if worst.value > 0.0 {
+        Cell::Owned(worst.value, worst.scene.to_string())
+    } else {
+        Cell::Fixed(0.0, 0)
+    }
+}
+
 fn engines(outcome: &Outcome) -> Table {
-    let worst = |worst: Worst| {
-        if worst.value > 0.0 {
-            Cell::Owned(worst.value, worst.scene.to_string())
-        } else {
-            Cell::Fixed(0.0, 0)
-        }
-    };
     let row = |(label, entry): (String, &Entry)| {
         vec![
             Cell::text(label),
@@ -126,6 +129,57 @@ fn endings(outcome: &Outcome) -> Table {
         columns,
         rows: labels.zip(&outcome.entries).map(row).collect(),
         note: String::new(),
+    }
+}
+
+/// What was held against the laws, and what could not be, by the reason.
+fn laws(outcome: &Outcome) -> Table {
+    let mut why: Vec<&'static str> = Vec::new();
+    for entry in &outcome.entries {
+        why.extend(entry.laws.left_out.keys());
+    }
+    why.sort_unstable();
+    why.dedup();
+    let row = |(label, entry): (String, &Entry)| {
+        let held = &entry.laws;
+        vec![
+            Cell::text(label),
+            Cell::Count(held.impacts),
+            worst(held.impact),
+            Cell::Count(held.integrated),
+            worst(held.integral),
+            Cell::Count(held.pieces),
+            worst(held.piece),
+            Cell::Count(held.left_out.values().sum()),
+        ]
+    };
+    let left_out = |why: &&'static str| {
+        let counts = outcome.entries.iter().map(|entry| &entry.laws.left_out);
+        let count: u64 = counts.filter_map(|counts| counts.get(why)).sum();
+        format!("{why}: {count}")
+    };
+    let labels = outcome.plan.columns.iter().map(|column| column.label());
+    Table {
+        id: "laws".to_owned(),
+        title: "What was held against the laws".to_owned(),
+        columns: vec![
+            Column::words("engine", "engine"),
+            Column::number("impacts", "impacts", ""),
+            Column::number("impact", "worst", "bound"),
+            Column::number("integrated", "integrated", ""),
+            Column::number("integral", "worst", "bound"),
+            Column::number("pieces", "motions", ""),
+            Column::number("piece", "worst", "bound"),
+            Column::number("left-out", "left out", ""),
+        ],
+        rows: labels.zip(&outcome.entries).map(row).collect(),
+        note: match why.is_empty() {
+            true => String::new(),
+            false => format!(
+                "Left out because of: {}.",
+                why.iter().map(left_out).collect::<Vec<_>>().join("; ")
+            ),
+        },
     }
 }
 

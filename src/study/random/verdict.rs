@@ -13,6 +13,7 @@
 //!   without `n` holds: a light ball between heavy ones needs about `sqrt(M/m)` exchanges to stop them. Parry is asked at knots,
 //!   between which a stepped path is not quite the cubic through them: half a step more for each ball.
 
+use super::laws::{self, Laws};
 use crate::compare::{Sweep, sweep, worst_overlap};
 use crate::math::worse;
 use crate::physics::State;
@@ -55,6 +56,20 @@ pub struct Verdict {
     pub overlap: f64,
     /// What the sweep for collisions that were passed over saw, where there was one.
     pub sweep: Option<Sweep>,
+    /// What was held against the laws, where the engine promises them.
+    pub laws: Option<Laws>,
+}
+
+/// Holds a trace of `scene` against closed forms of its laws as well; for engines that promise [`Invariant::Laws`].
+///
+/// [`Invariant::Laws`]: crate::physics::invariants::Invariant::Laws
+pub fn check_laws(scene: &Scene, trace: &Trace) -> Laws {
+    if not_finite(trace).is_some() {
+        return Laws::default();
+    }
+    // how near is near enough for an impact is decided before a run, by its longest way
+    let place = rounding(scene, trace, scene.duration);
+    laws::check(scene, trace, place)
 }
 
 /// Checks a trace of `scene`; `sweeps`: also for collisions that it passed over.
@@ -94,17 +109,13 @@ struct Bounds {
 
 impl Bounds {
     fn of(scene: &Scene, trace: &Trace) -> Self {
-        let knots = || trace.paths.iter().flat_map(|path| &path.knots);
-        let extent = knots().fold(scene.largest_coordinate(), |largest, knot| {
-            largest.max(knot.state.position.amax())
-        });
         let h = trace.provenance.resolution;
         let fastest = |knots: &[crate::trace::Knot]| {
             let speeds = knots.iter().map(|knot| knot.state.speed());
             speeds.fold(0.0, f64::max)
         };
         Bounds {
-            rounding: scene.place_blur_within(extent, trace.end_time),
+            rounding: rounding(scene, trace, trace.end_time),
             step: trace
                 .paths
                 .iter()
@@ -127,6 +138,15 @@ impl Bounds {
         let closing = self.moves * (self.step[a] + self.step[b]);
         (self.rounding + (self.steps + more) * closing) * (1.0 + ROUNDED)
     }
+}
+
+/// What the place of a ball is good to in a trace up to `time`, s; length.
+fn rounding(scene: &Scene, trace: &Trace, time: f64) -> f64 {
+    let knots = trace.paths.iter().flat_map(|path| &path.knots);
+    let extent = knots.fold(scene.largest_coordinate(), |largest, knot| {
+        largest.max(knot.state.position.amax())
+    });
+    scene.place_blur_within(extent, time)
 }
 
 fn not_finite(trace: &Trace) -> Option<Fault> {

@@ -152,7 +152,7 @@ fn a_broken_promise_is_named_and_never_accepted() {
     let [broken] = &held.outcome.broken[..] else {
         panic!("{:?}", held.outcome.broken);
     };
-    assert_eq!(broken.invariant, Invariant::Momentum);
+    assert_eq!(broken.what, Invariant::Momentum.id());
     assert!(broken.why.contains("m v0"), "{}", broken.why);
     assert_eq!(held.standing().acceptance(), Err(Refused::BrokenPromise(1)));
 }

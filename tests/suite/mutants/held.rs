@@ -65,13 +65,8 @@ pub fn caught(held: &Held) -> Caught {
         caught.entry(level).or_insert((0, words)).0 += 1;
     };
     for broken in &held.outcome.broken {
-        let words = format!(
-            "{}: {}: {}",
-            broken.scene,
-            broken.invariant.id(),
-            broken.why
-        );
-        note(Level::Promise, words);
+        let words = format!("{}: {}: {}", broken.scene, broken.what, broken.why);
+        note(broken.level, words);
     }
     for Located { scene, change } in &held.changes {
         let Some(row) = change.row() else { continue };

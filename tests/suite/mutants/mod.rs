@@ -4,6 +4,7 @@
 
 mod engines;
 mod held;
+mod laws;
 mod plain;
 mod roster;
 mod slip;

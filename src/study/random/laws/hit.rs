@@ -1,0 +1,241 @@
+//! Two balls that meet, in components along the line of centres, across it and up.
+
+use super::{Audit, Jump, Part, TOGETHER, left, plan};
+use crate::math::Vec3;
+use crate::physics::{Contact, Friction};
+use nalgebra::Vector2;
+
+/// One ball of a meeting.
+#[derive(Clone, Copy)]
+struct Party<'a> {
+    ball: usize,
+    jump: &'a Jump,
+    mass: f64,
+    radius: f64,
+    /// -1 for the ball that is pushed back along the normal, +1 for the one that is pushed on.
+    sign: f64,
+}
+
+/// What the laws make of the tangential impulse, per reduced mass: along `t`, up, and what both are good to.
+struct Rub {
+    across: f64,
+    up: f64,
+    error: f64,
+}
+
+impl Audit<'_> {
+    /// Two balls met: `balls`, first and second, with both sides of each. `together`: see [`Audit::together`].
+    pub(super) fn hit(&mut self, balls: [usize; 2], jumps: [&Jump; 2], together: bool) {
+        let party = |i: usize, sign: f64| Party {
+            ball: balls[i],
+            jump: jumps[i],
+            mass: self.scene.balls[balls[i]].mass,
+            radius: self.scene.balls[balls[i]].radius,
+            sign,
+        };
+        let parties = [party(0, -1.0), party(1, 1.0)];
+        let Some(contact) = self.scene.effects.contact else {
+            let words = self.at("no law of contact", &parties);
+            return self.fault("hit-told", words);
+        };
+        let (e, law) = match contact {
+            Contact::Elastic {} => (1.0, "contact.elastic"),
+            Contact::Inelastic { e } => (e, "contact.inelastic"),
+        };
+        let line = plan(&jumps[1].near.position) - plan(&jumps[0].near.position);
+        let apart = line.norm();
+        self.places(&parties, apart, together);
+        if apart == 0.0 {
+            return self.leave_out("centres in one place");
+        }
+        let n = line / apart;
+        let t = left(n);
+        let [v1, v2] = jumps.map(|jump| plan(&jump.near.velocity));
+        let difference = v1 - v2;
+        let closing = difference.dot(&n);
+        let speeds = v1.norm() + v2.norm();
+        // places that are told with fewer digits than they have turn the normal
+        let turned = if self.rounded {
+            f64::EPSILON * (jumps[0].near.position.norm() + jumps[1].near.position.norm()) / apart
+        } else {
+            0.0
+        };
+        let grain = self.grain + turned;
+        let error = grain * speeds + super::NONE;
+        if together {
+            self.leave_out(TOGETHER);
+        } else {
+            self.found.impacts += 1;
+        }
+        if !together && let Some(off) = self.off(Part::Impact, (-closing).max(0.0), error) {
+            let words = self.at(law, &parties);
+            self.fault(
+                "hit-parting",
+                format!("{words}: they part before they meet: {off}"),
+            );
+        }
+        let rub = self.rub(&parties, [difference.dot(&t), closing, e], grain);
+        let (mut sum, mut sum_error) = (Vector2::zeros(), 0.0);
+        for party in parties {
+            let other = parties[usize::from(party.sign < 0.0)];
+            // its share of what two masses exchange
+            let share = other.mass / (party.mass + other.mass);
+            let near = plan(&party.jump.near.velocity);
+            let change = plan(&party.jump.far.velocity) - near;
+            let mut allowed = grain * near.norm() + (1.0 + e) * share * error;
+            let mut across = allowed + share * rub.error;
+            if together {
+                // what the impulses of one instant leave between them is as large as any speed
+                allowed = 8.0 * grain * self.scene.fastest();
+                across = allowed;
+            } else {
+                let want = party.sign * (1.0 + e) * share * closing;
+                let got = change.dot(&n);
+                if let Some(off) = self.off(Part::Impact, (got - want).abs(), allowed) {
+                    let words = format!(
+                        "{}: the speed along the normal changes by {got:e} instead of {want:e}, {off}",
+                        self.at(law, &parties)
+                    );
+                    self.fault("hit-restitution", words);
+                }
+            }
+            let want = party.sign * share * -rub.across;
+            let got = change.dot(&t);
+            if let Some(off) = self.off(Part::Impact, (got - want).abs(), across) {
+                let words = format!(
+                    "{}: the speed across changes by {got:e} instead of {want:e}, {off}",
+                    self.at(self.friction(), &parties)
+                );
+                self.fault("hit-friction", words);
+            }
+            let turned = [share * rub.across, share * rub.up];
+            self.turns(&parties, &party, turned, t, across);
+            sum += change * party.mass;
+            sum_error += (allowed + across) * party.mass;
+        }
+        if let Some(off) = self.off(Part::Impact, sum.norm(), sum_error) {
+            let words = format!("{}, {off}", self.at("momentum", &parties));
+            self.fault("hit-momentum", words);
+        }
+    }
+
+    /// Neither moves while it is hit, and they touch: two spheres on a table whose centres are at different heights.
+    fn places(&mut self, parties: &[Party<'_>; 2], apart: f64, together: bool) {
+        let touch = 2.0 * parties[0].radius.sqrt() * parties[1].radius.sqrt();
+        let gap = apart - touch;
+        let mut allowed = self.place;
+        if together {
+            // a convention closes gaps of a millionth of the smallest radius
+            allowed += 1e-6 * self.scene.smallest_radius();
+        }
+        // how far a step lets balls overlap has its own bound
+        let off = if self.step > 0.0 {
+            gap.max(0.0)
+        } else {
+            gap.abs()
+        };
+        if let Some(off) = self.off(Part::Impact, off, allowed) {
+            let words = self.at("place", parties);
+            let words = format!("{words}: {apart:e} apart, and they touch at {touch:e}, {off}");
+            self.fault("hit-distance", words);
+        }
+        if parties
+            .iter()
+            .any(|party| party.jump.far.position != party.jump.near.position)
+        {
+            let words = self.at("place", parties);
+            self.fault(
+                "hit-distance",
+                format!("{words}: one moves while it is hit"),
+            );
+        }
+    }
+
+    /// Coulomb's impulse against the slip of one surface over the other, no more than ends it: at the contact each of two spheres
+    /// yields as 2/7 of its mass would. `[across, closing, e]`: relative speed along `t` and along the normal, restitution.
+    fn rub(&self, parties: &[Party<'_>; 2], [across, closing, e]: [f64; 3], grain: f64) -> Rub {
+        let none = Rub {
+            across: 0.0,
+            up: 0.0,
+            error: 0.0,
+        };
+        let Some(friction) = self.scene.effects.friction else {
+            return none;
+        };
+        let [one, two] = parties.map(|party| party.jump.near);
+        let n = plan(&two.position) - plan(&one.position);
+        let n = n / n.norm();
+        let (mut along, mut up, mut turning) = (across, 0.0, 0.0);
+        for party in parties {
+            let spin = party.jump.near.spin * party.radius;
+            along += spin.z;
+            up += spin.x * n.y - spin.y * n.x;
+            turning += spin.norm();
+        }
+        let slip = along.hypot(up);
+        let speeds = one.velocity.norm() + two.velocity.norm();
+        let (mu, steepness) = match friction {
+            Friction::Constant { mu } => (mu, 0.0),
+            Friction::Alciatore {
+                a,
+                b,
+                c,
+                length_in_metres,
+            } => {
+                let x = c * (slip * length_in_metres);
+                (a + b * f64::exp(-x), x)
+            }
+        };
+        let sticks = slip * (2.0 / 7.0);
+        let slides = mu * (1.0 + e) * closing.max(0.0);
+        let size = sticks.min(slides);
+        let error = (2.0 / 7.0) * grain * (speeds + turning) * (1.0 + steepness)
+            + sticks.min(mu * (1.0 + e) * grain * speeds);
+        if slip == 0.0 {
+            return Rub { error, ..none };
+        }
+        Rub {
+            across: -size * (along / slip),
+            up: -size * (up / slip),
+            error,
+        }
+    }
+
+    /// The impulse across and up, at the end of the radius, turns both balls the same way.
+    fn turns(
+        &mut self,
+        parties: &[Party<'_>; 2],
+        party: &Party<'_>,
+        [across, up]: [f64; 2],
+        t: Vector2<f64>,
+        allowed: f64,
+    ) {
+        let (near, far) = (&party.jump.near.spin, &party.jump.far.spin);
+        let change = (far - near) * party.radius;
+        let want = Vec3::new(-2.5 * up * t.x, -2.5 * up * t.y, 2.5 * across);
+        let turning = party.radius * (near.norm() + far.norm());
+        let allowed = 2.5 * allowed + self.grain * turning;
+        if let Some(off) = self.off(Part::Impact, (change - want).norm(), allowed) {
+            let words = format!(
+                "{}: R times the spin of {} changes by {change:?} instead of {want:?}, {off}",
+                self.at(self.friction(), parties),
+                self.name(party.ball)
+            );
+            self.fault("hit-spin", words);
+        }
+    }
+
+    fn friction(&self) -> &'static str {
+        match self.scene.effects.friction {
+            None => "no friction between balls",
+            Some(Friction::Constant { .. }) => "friction.constant",
+            Some(Friction::Alciatore { .. }) => "friction.alciatore",
+        }
+    }
+
+    /// Law, balls and time.
+    fn at(&self, law: &str, parties: &[Party<'_>; 2]) -> String {
+        let [a, b] = parties.map(|party| self.name(party.ball));
+        format!("{law}: {a} and {b} at {:e} s", parties[0].jump.time)
+    }
+}
