@@ -46,7 +46,8 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         cancelled: terminal::cancelled(),
     };
     let start = Instant::now();
-    let outcome = study(&scenes, &default_columns(), watch);
+    let outcome = study(&scenes, &default_columns(), watch)
+        .map_err(|error| Failure::Message(error.to_string()))?;
     let seconds = start.elapsed().as_secs_f64();
     drop(progress);
     let held = Held::new(outcome, before, unread);
