@@ -56,7 +56,11 @@ impl Parting {
 /// The k-th occurrence of an event in one matches the k-th in the other. Where one of the traces ends early, collisions
 /// after that end are left out of both.
 pub fn align(trace: &Trace, reference: &Trace) -> Order {
-    let end = super::common_end(trace, reference);
+    align_until(trace, reference, super::common_end(trace, reference))
+}
+
+/// The same for the collisions up to `end`, s, in both.
+fn align_until(trace: &Trace, reference: &Trace, end: f64) -> Order {
     let collisions =
         |t: &Trace| -> Vec<Event> { t.collisions().filter(|e| e.time <= end).copied().collect() };
     let (ours, theirs) = (collisions(trace), collisions(reference));
@@ -79,6 +83,16 @@ pub fn align(trace: &Trace, reference: &Trace) -> Order {
         resolution,
         parting: parting(&ours, &theirs, &matched, strict),
         matched,
+    }
+}
+
+/// The alignment up to the first place where the orders differ and what event times can be held to after it: of what comes later nobody
+/// can say whether it is missed. The whole alignment where they do not differ.
+pub fn align_to_parting(trace: &Trace, reference: &Trace) -> Order {
+    let whole = align(trace, reference);
+    match &whole.parting {
+        None => whole,
+        Some(parting) => align_until(trace, reference, parting.time() + whole.resolution),
     }
 }
 

@@ -15,7 +15,7 @@ mod stop_time;
 mod sweep;
 mod turned;
 
-pub use alignment::{Order, Parting, align};
+pub use alignment::{Order, Parting, align, align_to_parting};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
 pub use divergence::{Divergence, divergence};
 pub use judge::{Overlap, deepest_overlap, worst_overlap};
@@ -66,6 +66,12 @@ impl<'a> Comparison<'a> {
     /// Latest time at which both traces say where the balls are, s; infinite when both ended at rest.
     pub fn common_end(&self) -> f64 {
         common_end(self.trace, self.reference)
+    }
+
+    /// The same comparison with its collision orders cut off where they have first differed.
+    pub fn to_parting(self) -> Self {
+        let order = align_to_parting(self.trace, self.reference);
+        Comparison { order, ..self }
     }
 
     /// When the collision orders first differ, s: the earlier of the two events. `None` while they agree.

@@ -35,8 +35,8 @@ macro_rules! entries {
 }
 
 /// Every scene, in the order in which reports list them: the report's shot, single laws, several balls, known answers,
-/// then the shots that call for rotation, one at a time, the effect ladder and real breaks; last the hard cases by what they
-/// provoke: simultaneous contacts, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
+/// then the shots that call for rotation, one at a time, what the gate needs to go through every branch and key, the effect ladder and
+/// real breaks; last the hard cases by what they provoke: simultaneous contacts, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
 pub fn all() -> &'static [Entry] {
     entries![
         "report-break",
@@ -65,8 +65,27 @@ pub fn all() -> &'static [Entry] {
         "side",
         "curve",
         "throw",
+        "throw-masses",
+        "throw-radii",
+        "throw-unequal",
+        "throw-alciatore",
+        "throw-alciatore-masses",
+        "throw-alciatore-radii",
+        "throw-alciatore-unequal",
+        "smooth-radii",
+        "spin-brings-together",
         "bank",
         "bank-side",
+        "cushion-restitution",
+        "lively-cushions",
+        "cushions-han",
+        "cushions-mathavan",
+        "cushions-mathavan-rough",
+        "cushions-mathavan-gearing",
+        "pocket-drops",
+        "launched",
+        "slow-roller",
+        "keys-of-rapier",
         "ladder-report",
         "ladder-rotation",
         "ladder-rolling",

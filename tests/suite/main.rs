@@ -10,6 +10,7 @@ mod cli;
 mod compare;
 mod contract;
 mod cost;
+mod coverage;
 mod effects;
 mod ensemble;
 mod exact;

@@ -57,7 +57,8 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     };
     let start = Instant::now();
     let columns = default_columns();
-    let mut outcome = study(&scenes, &columns, watch);
+    let mut outcome = study(&scenes, &columns, watch)
+        .map_err(|error| Failure::Message(error.to_string()))?;
     if random {
         let plan = random_plan(&columns, RANDOM_SCENES);
         outcome.add_random(&random::study(plan, watch));

@@ -18,6 +18,9 @@ const CADENCE: f64 = 0.01;
 /// Metrics that mean something although the orders of collisions have parted: they look only at what came before.
 const BEFORE_PARTING: [&str; 3] = ["until-parting", "order-strict", "order-tolerant"];
 
+/// Metrics that say what is different where the orders part, counted up to there. Where they do not part both are 0, and held as such.
+const AT_PARTING: [&str; 2] = ["order-missed", "order-phantom"];
+
 /// What a cell found.
 pub struct Found {
     /// Its findings.
@@ -145,6 +148,7 @@ impl Writer<'_> {
         let within = oracle.trace.collisions();
         let within = within.filter(|event| event.time < oracle.until).count() as f64;
         let last = parting.map_or(oracle.until, Parting::time);
+        let parted = parting.is_some();
         for mut finding in compare::of_pair(&comparison, &self.label) {
             let before = BEFORE_PARTING.contains(&finding.metric);
             if finding.metric.starts_with("order-") && before && !whole {
@@ -155,6 +159,11 @@ impl Writer<'_> {
             if believed || before || stopped {
                 self.findings.push(finding);
             }
+        }
+        if parted {
+            let found = compare::of_pair(&comparison.to_parting(), &self.label);
+            let there = found.into_iter().filter(|f| AT_PARTING.contains(&f.metric));
+            self.findings.extend(there);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What every later version is held against: the scenes of the gate in every engine, on five levels.
 //!
-//! Plan: each scene in each column once, with the images that the column promises something about; the scenes that nobody can predict to their
-//! end as an ensemble as well. Conclusion: findings, each with a [`Level`], and a list of the [`Case`]s that must have run, so that a
+//! Plan: each scene in each column, and in each setting that its `try` asks for, once, with the images that the column promises something
+//! about; the scenes that nobody can predict to their end as an ensemble as well. Conclusion: findings, each with a [`Level`], and a list of the [`Case`]s that must have run, so that a
 //! check that did not reach its end cannot pass. What is accepted of them is for `gate`.
 
 mod bits;
@@ -24,7 +24,7 @@ pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash
 
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
-use super::stability::{Oracle, ask_oracles};
+use super::stability::{Oracle, PlanError, ask_oracles, tried};
 use crate::finding::{Finding, Tolerance};
 use crate::scene::{Scene, Simultaneous};
 use std::collections::BTreeMap;
@@ -130,8 +130,36 @@ enum Unit {
     Samples(usize, Option<usize>),
 }
 
-/// Runs the scenes in the columns. Answers the same to the bit for any number of threads.
-pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Outcome {
+/// The columns in which a scene runs: the given ones, then what its `try` asks of each engine that is given with its defaults.
+///
+/// Errors: the scene asks for a setting that is none.
+pub fn plan(scene: &Scene, columns: &[Column]) -> Result<Vec<Column>, PlanError> {
+    let mut planned = columns.to_vec();
+    for text in &scene.try_settings {
+        let asked = tried(scene, text)?;
+        let given = |column: &&Column| {
+            column.engine.id() == asked.engine.id() && column.setting.values.is_empty()
+        };
+        let Some(given) = columns.iter().find(given) else {
+            continue;
+        };
+        let column = Column {
+            engine: given.engine,
+            setting: asked.setting,
+        };
+        if planned.iter().all(|known| known.label() != column.label()) {
+            planned.push(column);
+        }
+    }
+    Ok(planned)
+}
+
+/// Runs the scenes in the columns and in what they ask for. Answers the same to the bit for any number of threads.
+///
+/// Errors: a scene asks for a setting that is none.
+pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Result<Outcome, PlanError> {
+    let plans = scenes.iter().map(|scene| plan(scene, columns));
+    let plans: Vec<Vec<Column>> = plans.collect::<Result<_, _>>()?;
     let oracles = ask_oracles(scenes, watch);
     let ensembles: Vec<Option<distribution::Ensemble>> = scenes
         .iter()
@@ -144,33 +172,34 @@ pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Outcome 
         .collect();
     let mut units = Vec::new();
     for (s, scene) in scenes.iter().enumerate() {
-        units.extend((0..columns.len()).map(|c| Unit::Cell(s, c)));
+        units.extend((0..plans[s].len()).map(|c| Unit::Cell(s, c)));
         if ensembles[s].is_some() {
             units.push(Unit::Samples(s, None));
+            // what a scene asks for besides is one run each
             let affordable = (0..columns.len()).filter(|&c| distribution::runs(scene, &columns[c]));
             units.extend(affordable.map(|c| Unit::Samples(s, Some(c))));
         }
     }
     let tasks: Vec<Task> = units
         .iter()
-        .map(|unit| task(unit, scenes, columns))
+        .map(|unit| task(unit, scenes, &plans))
         .collect();
     let answers = run_tasks(&tasks, MOST_EVENTS, watch, |index, runner| {
         match units[index] {
             Unit::Cell(s, c) => Answer::Cell(Box::new(cell::run(
                 &scenes[s],
-                &columns[c],
+                &plans[s][c],
                 oracles[s].as_ref(),
                 runner,
             ))),
             Unit::Samples(s, c) => {
                 Answer::Samples(ensembles[s].as_ref().map_or(Vec::new(), |ensemble| {
-                    ensemble.run(c.map(|c| &columns[c]), runner)
+                    ensemble.run(c.map(|c| &plans[s][c]), runner)
                 }))
             }
         }
     });
-    conclude(scenes, columns, &oracles, &units, answers)
+    Ok(conclude(scenes, &plans, &oracles, &units, answers))
 }
 
 /// True where the scene has no single answer to its end: the horizon comes before, or it asks for an ensemble itself.
@@ -179,15 +208,15 @@ fn needs_ensemble(scene: &Scene, oracle: Option<&Oracle>) -> bool {
         || oracle.is_some_and(|o| !o.is_whole() || !o.is_complete())
 }
 
-fn task(unit: &Unit, scenes: &[Scene], columns: &[Column]) -> Task {
+fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {
     match *unit {
         Unit::Cell(s, c) => Task {
-            cost: cell::cost(&scenes[s], &columns[c]),
-            label: format!("{} in {}", scenes[s].name, columns[c].label()),
+            cost: cell::cost(&scenes[s], &plans[s][c]),
+            label: format!("{} in {}", scenes[s].name, plans[s][c].label()),
         },
         Unit::Samples(s, c) => Task {
             cost: c.map_or(0.0, |c| {
-                distribution::SAMPLES as f64 * cell::cost(&scenes[s], &columns[c])
+                distribution::SAMPLES as f64 * cell::cost(&scenes[s], &plans[s][c])
             }),
             label: format!("samples of {}", scenes[s].name),
         },
@@ -196,7 +225,7 @@ fn task(unit: &Unit, scenes: &[Scene], columns: &[Column]) -> Task {
 
 fn conclude(
     scenes: &[Scene],
-    columns: &[Column],
+    plans: &[Vec<Column>],
     oracles: &[Option<Oracle>],
     units: &[Unit],
     answers: Vec<Option<Answer>>,
@@ -227,7 +256,7 @@ fn conclude(
         for (unit, answer) in own {
             match (unit, answer) {
                 (Unit::Cell(_, c), answer) => {
-                    let label = columns[c].label();
+                    let label = plans[s][c].label();
                     let levels = [Level::Promise, Level::Error, Level::Work];
                     outcome.expect(scene, &label, levels);
                     outcome.expect(scene, &label, hard.then_some(Level::Verdict));
@@ -244,7 +273,7 @@ fn conclude(
                     }
                 }
                 (Unit::Samples(_, Some(c)), answer) => {
-                    let label = columns[c].label();
+                    let label = plans[s][c].label();
                     outcome.expect(scene, &label, [Level::Distribution]);
                     if let Some(Answer::Samples(landings)) = answer {
                         let against = reference.as_deref();

@@ -19,6 +19,7 @@ pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
 pub use images::{is_reversible, mirrored, relabelled, reversed};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
+pub(super) use plan::tried;
 pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets};
 pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
 

@@ -166,7 +166,7 @@ pub fn cells(
 }
 
 /// `ENGINE KEY=VALUE ...` as a column.
-fn tried(scene: &Scene, text: &str) -> Result<Column, PlanError> {
+pub(in crate::study) fn tried(scene: &Scene, text: &str) -> Result<Column, PlanError> {
     let wrong = |why: String| PlanError::Try {
         scene: scene.name.clone(),
         setting: text.to_owned(),

@@ -21,7 +21,7 @@ fn outcome(scenes: &[&str], columns: &[Column]) -> Outcome {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    study(&named.collect::<Vec<_>>(), columns, watch)
+    study(&named.collect::<Vec<_>>(), columns, watch).unwrap()
 }
 
 /// A stepper whose trace is changed after the run, under the stepper's own name.
@@ -196,7 +196,7 @@ fn what_was_stopped_has_missing_cases_and_is_held_against_nothing() {
         progress: &|_, _, _| {},
         cancelled: &stopped,
     };
-    let outcome = study(&scenes, &default_columns(), watch);
+    let outcome = study(&scenes, &default_columns(), watch).unwrap();
     assert!(!outcome.cases.is_empty());
     assert_eq!(outcome.missing(), outcome.cases.len());
     let held = Held::new(outcome, vec![Some(Accepted::default())], Vec::new());

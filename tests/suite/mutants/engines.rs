@@ -22,6 +22,8 @@ pub enum Fault {
     Trace(fn(&Scene, &mut Trace)),
     /// It runs with another setting.
     Setting(&'static str, &'static str),
+    /// A number of a law, by its key, is this many times what the scene says.
+    Number(&'static str, f64),
     /// A step of the report's model is another.
     Step(Slip),
 }
@@ -117,6 +119,16 @@ struct Prepared<'a> {
     setting: Setting,
 }
 
+impl Prepared<'_> {
+    /// Runs another scene under the name of the right one.
+    fn instead(&self, other: &Scene, record: Record, limits: &Limits<'_>) -> Trace {
+        let run = self.of.prepare(other, &self.setting).unwrap();
+        let mut trace = run.simulate(record, limits);
+        trace.provenance.scene_hash = self.scene.hash();
+        trace
+    }
+}
+
 impl Run for Prepared<'_> {
     fn inside(&self) -> Inside {
         self.right.inside()
@@ -131,13 +143,13 @@ impl Run for Prepared<'_> {
             Fault::Scene(change) => {
                 let mut other = self.scene.clone();
                 change(&mut other);
-                let mut trace = self
-                    .of
-                    .prepare(&other, &self.setting)
-                    .unwrap()
-                    .simulate(record, limits);
-                trace.provenance.scene_hash = self.scene.hash();
-                trace
+                self.instead(&other, record, limits)
+            }
+            Fault::Number(wanted, factor) => {
+                let mut other = self.scene.clone();
+                let change = |key, x: f64| if key == wanted { factor * x } else { x };
+                other.effects = other.effects.map(change);
+                self.instead(&other, record, limits)
             }
             Fault::Trace(change) => {
                 let mut trace = self.right.simulate(record, limits);

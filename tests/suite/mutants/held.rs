@@ -31,16 +31,17 @@ fn study(scenes: &[Scene], columns: &[Column]) -> Outcome {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    check::study(scenes, columns, watch)
+    check::study(scenes, columns, watch).unwrap()
 }
 
-/// Accepted findings of a scene for some columns, and of the oracle.
+/// Accepted findings of a scene for some columns and what it asks of them, and of the oracle.
 fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/validation/baselines");
     let path = format!("{folder}/{}.csv", scene.name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut baseline = gate::read(&text).unwrap_or_else(|e| panic!("{path}: {e}"));
-    let labels: Vec<String> = columns.iter().map(Column::label).collect();
+    let planned = check::plan(scene, columns).unwrap();
+    let labels: Vec<String> = planned.iter().map(Column::label).collect();
     let rows = &mut baseline.rows;
     rows.retain(|row| row.engine == ORACLE || labels.contains(&row.engine));
     for label in labels {
