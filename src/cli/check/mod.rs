@@ -3,13 +3,14 @@
 mod outputs;
 
 use super::arguments::CheckArguments;
+use super::orphans::orphans;
 use super::{Failure, NOT_MET, accepted, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
 use crate::scene::catalogue;
 use crate::study::Watch;
-use crate::study::check::{Level, bounds, page, study, summary};
+use crate::study::check::{Against, Level, bounds, page, study, summary};
 use crate::study::compare::default_columns;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,7 +36,7 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     // a file that cannot be read is said before anything runs
     let before = accepted::read(&files, COMMAND)?;
     let unread = if arguments.scenes.is_empty() {
-        unread(folder, &files)
+        orphans(folder, &files)
     } else {
         Vec::new()
     };
@@ -70,25 +71,13 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-/// Names of baselines in the folder that no scene reads.
-fn unread(folder: &Path, files: &[PathBuf]) -> Vec<String> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut unread: Vec<String> = entries
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|e| e == "csv") && !files.contains(path))
-        .map(|path| path.display().to_string())
-        .collect();
-    unread.sort();
-    unread
-}
-
-/// Writes a document of a check; the function says how many findings of a scene, engine and level changed.
-type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> usize) -> Document;
+/// Writes a document of a check; the function says how a scene, engine and level stands to what was accepted.
+type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> Against) -> Document;
 
 /// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
 /// table of them.
 fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
-    let changed = |scene: &str, engine: &str, level| held.changes_of(scene, engine, level).count();
+    let changed = |scene: &str, engine: &str, level| held.against(scene, engine, level);
     let mut document = write(&held.outcome, &changed);
     let ran = std::mem::replace(&mut document.lead, sentence(held, folder));
     let mut opening = vec![Block::Text(ran)];
@@ -143,6 +132,7 @@ fn sentence(held: &Held, folder: &Path) -> String {
             held.stale.join(", ")
         ));
     }
+    parts.extend(held.contradictions.iter().map(|(_, words)| words.clone()));
     if !held.unread.is_empty() {
         parts.push(format!("read by no scene: {}", held.unread.join(", ")));
     }
@@ -154,6 +144,8 @@ fn sentence(held: &Held, folder: &Path) -> String {
         other,
         changed,
     } = held.bits();
+    let known = held.accepted.iter().flatten();
+    parts.extend(gate::versions_sentence(known, &versions::with_compiler()));
     parts.push(format!(
         "bits: {same} runs the same, {other} the same physics in different bits, {changed} others"
     ));
@@ -207,7 +199,7 @@ fn accept(
     }
     let mut written = 0;
     for ((scene, before), file) in held.outcome.scenes.iter().zip(&held.accepted).zip(files) {
-        let known = before.is_some() && !held.stale.contains(&scene.name);
+        let known = before.is_some() && !held.is_stale(&scene.name);
         let changed = held.changes.iter().any(|l| l.scene == scene.name);
         if known && !changed {
             continue;

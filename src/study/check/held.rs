@@ -1,10 +1,11 @@
 //! What is held besides the metrics of a comparison: unit, level, and by how much each may move.
 
 use super::Level;
+use super::written::WRITTEN;
 use crate::compare::metric;
 use crate::finding::{Hold, Tolerance};
 
-/// One thing that is held.
+/// One thing that is held: in a check, or between two runs alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Held {
     /// Unique kebab-case name.
@@ -19,7 +20,7 @@ pub struct Held {
     pub what: &'static str,
 }
 
-const fn held(
+pub(super) const fn held(
     id: &'static str,
     unit: &'static str,
     level: Level,
@@ -158,7 +159,7 @@ pub const HELD: &[Held] = &[
 ];
 
 fn find(id: &str) -> Option<&'static Held> {
-    HELD.iter().find(|held| held.id == id)
+    HELD.iter().chain(WRITTEN).find(|held| held.id == id)
 }
 
 /// The level of a metric.

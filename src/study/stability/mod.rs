@@ -19,7 +19,7 @@ pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
 pub use images::{is_reversible, mirrored, relabelled, reversed};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
-pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets};
+pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
 pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
 
 use super::matrix::{Column, Task, Watch, run_tasks};
