@@ -5,9 +5,9 @@ use super::{Failure, NOT_MET, output, publish, scene};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
-use crate::study::check::{between, tolerance, ulp_of};
+use crate::study::check::{between, tolerance, ulp_of, unheld};
 use crate::trace::{Trace, files};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
@@ -100,6 +100,11 @@ fn baselines_in(folder: &Path) -> Result<BTreeMap<String, Accepted>, Failure> {
         }
         let text = fs::read_to_string(&path).map_err(|error| cannot_read(&path, &error))?;
         let accepted = gate::read(&text).map_err(|error| cannot_read(&path, &error))?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        if stem != accepted.scene {
+            let why = format!("it says that it is of the scene {}", accepted.scene);
+            return Err(cannot_read(&path, &why));
+        }
         found.insert(accepted.scene.clone(), accepted);
     }
     Ok(found)
@@ -143,13 +148,16 @@ fn traces(
     if !differ.is_empty() {
         lead += &format!(" Other settings: {}.", differ.join(", "));
     }
+    if let Some(words) = unheld(&scene, b, a, ulp) {
+        lead += &format!(" {words}");
+    }
     Ok((lead, located(&scene.name, changes)))
 }
 
 /// The scene of both runs: the one that was named, or that of the catalogue.
 fn scene_of(arguments: &DiffArguments, a: &Trace, b: &Trace) -> Result<Scene, Failure> {
     let (ours, theirs) = (&a.provenance, &b.provenance);
-    if ours.scene_hash != theirs.scene_hash {
+    if (&ours.scene_hash, &ours.scene) != (&theirs.scene_hash, &theirs.scene) {
         return Err(Failure::Message(format!(
             "the two runs are of different scenes: {} ({}) and {} ({})",
             ours.scene, ours.scene_hash, theirs.scene, theirs.scene_hash
@@ -172,6 +180,16 @@ fn scene_of(arguments: &DiffArguments, a: &Trace, b: &Trace) -> Result<Scene, Fa
             ours.scene_hash
         )));
     }
+    for trace in [a, b] {
+        let balls = scene.balls.iter().map(|ball| &ball.id);
+        if !trace.balls.iter().eq(balls) {
+            return Err(Failure::Message(format!(
+                "the balls of {} of {} are not those of the scene, in its order",
+                files::FINAL,
+                name(trace)
+            )));
+        }
+    }
     Ok(scene)
 }
 
@@ -187,25 +205,47 @@ fn baselines(
             f64::EPSILON
         }
     };
-    let names: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
+    let names: BTreeSet<&String> = a.keys().chain(b.keys()).collect();
     let mut changes = Vec::new();
-    let mut bits = 0;
+    let (mut bits, mut reasons) = (0, 0);
+    let mut versions: BTreeSet<String> = BTreeSet::new();
     for &name in &names {
-        let rows = |of: &BTreeMap<String, Accepted>| {
-            of.get(name).map_or(Vec::new(), |one| one.rows.clone())
-        };
+        let rows = |of: &BTreeMap<String, Accepted>| of.get(name).map_or(Vec::new(), rows_of);
         let own = gate::diff(&rows(a), &rows(b), |row| {
             tolerance(&row.check, ulp(&row.engine))
         });
         let digests = |of: &BTreeMap<String, Accepted>| of.get(name).map(|one| one.bits.clone());
         bits += usize::from(digests(a) != digests(b));
+        let reason = |of: &BTreeMap<String, Accepted>| of.get(name).map(|one| one.reason.clone());
+        reasons += usize::from(reason(a) != reason(b));
+        if let (Some(before), Some(now)) = (a.get(name), b.get(name)) {
+            versions.extend(gate::other_versions(before, &now.versions));
+        }
         changes.extend(located(name, own));
     }
-    let lead = format!(
-        "{} scenes; in {bits} of them a run has other bits.",
+    let mut lead = format!(
+        "{} scenes; in {bits} of them a run has other bits, in {reasons} the reason is another.",
         names.len()
     );
+    if !versions.is_empty() {
+        let told: Vec<String> = versions.into_iter().collect();
+        lead += &format!(" Of other versions: {}.", told.join(", "));
+    }
     (lead, changes)
+}
+
+/// The findings of a file, and its fingerprint of the scene as one more: findings of another scene are others.
+fn rows_of(accepted: &Accepted) -> Vec<Row> {
+    let hash = Row {
+        engine: "scene".to_owned(),
+        check: "hash".to_owned(),
+        subject: accepted.hash.clone(),
+        value: None,
+        verdict: None,
+    };
+    let mut rows = vec![hash];
+    rows.extend(accepted.rows.iter().cloned());
+    rows
 }
 
 fn located(scene: &str, changes: Vec<gate::Change>) -> Vec<Located> {

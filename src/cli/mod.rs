@@ -14,6 +14,7 @@ mod engines;
 mod ensemble;
 mod fuzz;
 mod horizon;
+mod orphans;
 mod output;
 mod play;
 mod report;

@@ -1,6 +1,7 @@
 //! `carom stability`.
 
 use super::arguments::{StabilityArguments, parse_engines};
+use super::orphans::orphans;
 use super::{Failure, accepted, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
@@ -20,6 +21,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let files = accepted::files(&arguments.accepted, &question.scenes);
     // a file that cannot be read is said before anything runs
     let before = accepted::read(&files, COMMAND)?;
+    let unread = unread(arguments)?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -29,7 +31,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let outcome = study(question, watch);
     drop(progress);
     let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
-    let held = Held::new(outcome, before, arguments);
+    let held = Held::new(outcome, before, unread, arguments);
     let printed = publish(
         &held.document(summary, accepted::MOST_CHANGES),
         &arguments.format,
@@ -67,6 +69,15 @@ fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
     Ok(scenes)
 }
 
+/// Accepted files that no scene of the set reads, whether it runs or is left to `--full`; none where scenes are named.
+fn unread(arguments: &StabilityArguments) -> Result<Vec<String>, Failure> {
+    if !arguments.scenes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let known = accepted::files(&arguments.accepted, &catalogue::set("hard")?);
+    Ok(orphans(&arguments.accepted, &known))
+}
+
 /// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
 type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
 
@@ -79,8 +90,14 @@ struct Held {
     changes: Vec<Located>,
     /// Scenes that are not what they were when their findings were accepted.
     stale: Vec<String>,
+    /// Accepted files that no scene reads.
+    unread: Vec<String>,
+    /// What an accepted file says of itself that is not so: scene and sentence.
+    contradictions: Vec<(String, String)>,
     /// Findings of runs that only `--full` does, of which nothing was accepted.
     new: usize,
+    /// Accepted findings that are not held, because only `--full` makes their runs.
+    left_out: usize,
     folder: PathBuf,
 }
 
@@ -88,6 +105,7 @@ impl Held {
     fn new(
         outcome: Outcome,
         accepted: Vec<Option<Accepted>>,
+        unread: Vec<String>,
         arguments: &StabilityArguments,
     ) -> Self {
         let mut held = Held {
@@ -95,7 +113,10 @@ impl Held {
             accepted,
             changes: Vec::new(),
             stale: Vec::new(),
+            unread,
+            contradictions: Vec::new(),
             new: 0,
+            left_out: 0,
             folder: arguments.accepted.clone(),
         };
         // what was stopped has no findings, and that is no change
@@ -113,33 +134,18 @@ impl Held {
         let Some(accepted) = &self.accepted[index] else {
             return;
         };
-        let scene = &self.outcome.question.scenes[index];
-        if accepted.hash != scene.hash() {
-            self.stale.push(scene.name.clone());
+        let name = &self.outcome.question.scenes[index].name;
+        let found = gate::hold_cases(&self.outcome, index, accepted, some);
+        if found.stale {
+            self.stale.push(name.clone());
         }
-        let case = |row: &Row| {
-            let mut own = self.outcome.of_scene(index);
-            own.find(|case| case.planned.column.label() == row.engine)
-        };
-        // a run that was left out is not missed; one that is no longer planned is
-        let old: Vec<Row> = accepted
-            .rows
-            .iter()
-            .filter(|row| case(row).map_or(!some, |case| case.judged.is_some()))
-            .cloned()
-            .collect();
-        let found: Vec<Row> = self.outcome.findings(index).iter().map(Row::from).collect();
-        let only_full = |row: &Row| case(row).is_some_and(|case| case.planned.reach == Reach::Full);
-        let (new, held): (Vec<Row>, Vec<Row>) = found
-            .into_iter()
-            .partition(|row| only_full(row) && !old.iter().any(|known| known.engine == row.engine));
-        let changes = gate::diff(&old, &held, |row| {
-            self.outcome.tolerance(&row.engine, &row.check)
-        });
-        let name = scene.name.clone();
-        self.new += new.len();
+        let said = found.contradictions.into_iter();
+        self.contradictions
+            .extend(said.map(|words| (name.clone(), words)));
+        self.new += found.new;
+        self.left_out += found.left_out;
         self.changes
-            .extend(changes.into_iter().map(|change| Located {
+            .extend(found.changes.into_iter().map(|change| Located {
                 scene: name.clone(),
                 change,
             }));
@@ -192,8 +198,20 @@ impl Held {
                 self.stale.join(", ")
             ));
         }
+        parts.extend(self.contradictions.iter().map(|(_, words)| words.clone()));
+        if !self.unread.is_empty() {
+            parts.push(format!("read by no scene: {}", self.unread.join(", ")));
+        }
         if !unknown.is_empty() {
             parts.push(format!("nothing is accepted of {}", unknown.join(", ")));
+        }
+        let known = self.accepted.iter().flatten();
+        parts.extend(gate::versions_sentence(known, &versions::of_engines()));
+        if self.left_out > 0 {
+            parts.push(format!(
+                "{} accepted findings are not held: only --full makes their runs",
+                self.left_out
+            ));
         }
         if self.new > 0 {
             parts.push(format!(
@@ -209,7 +227,7 @@ impl Held {
         Standing {
             cut_short: self.outcome.is_cut_short(),
             missing: self.unknown().len(),
-            stale: self.stale.len(),
+            stale: self.stale.len() + self.contradictions.len() + self.unread.len(),
             changes: self.changes.len(),
             broken_promises: self.outcome.broken_promises().len(),
         }
@@ -222,7 +240,9 @@ impl Held {
         }
         let mut changes = Vec::new();
         for (index, scene) in self.outcome.question.scenes.iter().enumerate() {
-            let known = self.accepted[index].is_some() && !self.stale.contains(&scene.name);
+            let contradicts = self.contradictions.iter().any(|(of, _)| *of == scene.name);
+            let stale = self.stale.contains(&scene.name) || contradicts;
+            let known = self.accepted[index].is_some() && !stale;
             let changed = self
                 .changes
                 .iter()
@@ -241,6 +261,9 @@ impl Held {
             changes.push((&files[index], gate::write(&now)));
         }
         accepted::write(&changes, files, &self.folder)?;
+        for file in &self.unread {
+            terminal::say(&format!("No scene reads {file}: remove it."));
+        }
         Ok(ExitCode::SUCCESS)
     }
 
@@ -257,7 +280,7 @@ impl Held {
             let label = case.planned.column.label();
             if case.judged.is_some() {
                 rows.extend(found.iter().filter(|row| row.engine == label).cloned());
-            } else {
+            } else if case.planned.reach != Reach::Never {
                 rows.extend(left_out(&label));
             }
         }

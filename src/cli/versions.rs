@@ -16,11 +16,18 @@ pub fn of_engines() -> Vec<(String, String)> {
         .collect()
 }
 
-/// The same with the compiler that made the program, and the commit of the current folder where there is one.
-pub fn with_commit() -> Vec<(String, String)> {
+/// The same with the compiler that made the program.
+pub fn with_compiler() -> Vec<(String, String)> {
     let mut versions = of_engines();
     let compiler = env!("CAROM_COMPILER");
     versions.push(("compiler".to_owned(), compiler.to_owned()));
+    versions.retain(|(_, version)| !version.is_empty());
+    versions
+}
+
+/// The same with the commit of the current folder where there is one.
+pub fn with_commit() -> Vec<(String, String)> {
+    let mut versions = with_compiler();
     let said = Command::new("git")
         .args(["rev-parse", "--short=12", "HEAD"])
         .output();

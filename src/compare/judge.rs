@@ -103,7 +103,7 @@ fn overlaps_at(
 fn penetration(a: &State, first: &Ball, b: &State, second: &Ball) -> f64 {
     let pose = |s: &State| Pose::translation(s.position.x, s.position.y, s.position.z);
     match contact(&pose(a), first, &pose(b), second, 0.0) {
-        Ok(Some(found)) => (-found.dist).max(0.0),
+        Ok(Some(found)) => worse(0.0, -found.dist),
         _ => 0.0,
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A scene that did not arrive as written makes every later number worthless, and nothing later would notice.
 
+use crate::math::within;
 use crate::physics::{Cloth, Contact, Cushion, friction};
 use crate::scene::{Ball, Scene};
 
@@ -112,7 +113,7 @@ fn differences_from(scene: &Scene, inside: &Inside) -> Vec<String> {
     let energies = [inside.energy, scene.initial_energy()];
     if energies
         .iter()
-        .any(|energy| *energy > mass * check.smallest())
+        .any(|energy| !within(*energy, mass * check.smallest()))
     {
         let [inside, energy] = energies;
         check.within(energy_ulps, || "kinetic energy".to_owned(), inside, energy);
@@ -142,9 +143,9 @@ impl Check {
 
     /// `what` is put into words only if it differs.
     fn within(&mut self, ulps: f64, what: impl FnOnce() -> String, got: f64, want: f64) {
-        // false for NaN as well
-        let close = (got - want).abs() <= ulps * self.ulp * got.abs().max(want.abs());
-        if !close {
+        let bound = ulps * self.ulp * got.abs().max(want.abs());
+        // what is not finite is like itself alone, and a NaN like nothing
+        if !(got == want || within((got - want).abs(), bound)) {
             self.found
                 .push(format!("{} is {got} instead of {want}", what()));
         }
@@ -229,5 +230,68 @@ fn expected_material(scene: &Scene, partner: Partner) -> (f64, f64) {
             Some(Cushion::Han2005 { e, mu, .. } | Cushion::Mathavan2010 { e, mu, .. }) => (mu, e),
             None => (0.0, 0.0),
         },
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::{Inside, PairMaterial, differences, expected_material, expected_partners};
+    use crate::scene::{Scene, catalogue};
+
+    /// What an engine holds that holds the scene as written.
+    fn inside(scene: &Scene) -> Inside {
+        let partners = expected_partners(scene);
+        let materials = (0..scene.balls.len()).flat_map(|ball| {
+            partners.iter().map(move |partner| {
+                let (friction, restitution) = expected_material(scene, *partner);
+                PairMaterial {
+                    ball,
+                    partner: *partner,
+                    friction,
+                    restitution,
+                }
+            })
+        });
+        Inside {
+            balls: scene.balls.clone(),
+            inertia: (0..scene.balls.len())
+                .map(|ball| scene.inertia(ball))
+                .collect(),
+            energy: scene.initial_energy(),
+            materials: materials.collect(),
+            ulp: f64::EPSILON,
+            contact_time: None,
+        }
+    }
+
+    #[test]
+    fn what_is_infinite_inside_an_engine_is_not_what_the_scene_says() {
+        type Plant = fn(&mut Inside, f64);
+        let plants: [(&str, Plant); 6] = [
+            ("kinetic energy", |i, x| i.energy = x),
+            ("mass of ball 1", |i, x| i.balls[1].mass = x),
+            ("radius of ball cue", |i, x| i.balls[0].radius = x),
+            ("position y of ball cue", |i, x| {
+                i.balls[0].state.position.y = x
+            }),
+            ("velocity x of ball 1", |i, x| {
+                i.balls[1].state.velocity.x = x
+            }),
+            ("restitution of ball cue", |i, x| {
+                i.materials[0].restitution = x
+            }),
+        ];
+        let scene = catalogue::scene("head-on").unwrap();
+        assert_eq!(differences(&scene, &inside(&scene)), [""; 0]);
+        for (what, plant) in plants {
+            for x in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, f64::MAX] {
+                let mut inside = inside(&scene);
+                plant(&mut inside, x);
+                let found = differences(&scene, &inside);
+                let told = matches!(&found[..], [one] if one.starts_with(what));
+                assert!(told, "{what} {x}: {found:?}");
+            }
+        }
     }
 }

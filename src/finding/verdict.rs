@@ -1,5 +1,6 @@
 //! Verdicts, and by how much an accepted number may move before it counts as changed.
 
+use crate::math::within;
 use serde::Serialize;
 
 /// What one check says of one run. Ordered by how much it asks for attention: the worst of several is the largest.
@@ -46,6 +47,8 @@ impl Verdict {
 }
 
 /// By how much a number may differ from the accepted one. Each kind says by its name how it measures.
+///
+/// Whatever the kind, a number that is not finite is the same as itself alone: no part of infinity is a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Tolerance {
@@ -63,8 +66,11 @@ pub enum Tolerance {
 }
 
 impl Tolerance {
-    /// The largest difference between `a` and `b` that is no change, in their unit.
+    /// The largest difference between `a` and `b` that is no change, in their unit; 0 where either is not finite.
     pub fn bound(self, a: f64, b: f64) -> f64 {
+        if !(a.is_finite() && b.is_finite()) {
+            return 0.0;
+        }
         match self {
             Tolerance::None => 0.0,
             Tolerance::Absolute(bound) => bound,
@@ -72,9 +78,10 @@ impl Tolerance {
         }
     }
 
-    /// True if `a` and `b` are the same within it. Two infinities of one sign are, and two NaN.
+    /// True if `a` and `b` are the same within it. Of numbers that are not finite two infinities of one sign are, and two NaN.
     pub fn holds(self, a: f64, b: f64) -> bool {
-        a == b || (a.is_nan() && b.is_nan()) || (a - b).abs() <= self.bound(a, b)
+        // numbers near the largest differ by more than any: such a difference is within nothing
+        a == b || (a.is_nan() && b.is_nan()) || within((a - b).abs(), self.bound(a, b))
     }
 }
 
@@ -152,6 +159,18 @@ mod tests {
             (relative, f64::NAN, f64::NAN, true),
             (relative, f64::NAN, 0.0, false),
             (Tolerance::Absolute(1.0), f64::INFINITY, 0.0, false),
+            // a part of infinity would hold everything
+            (relative, f64::INFINITY, 0.0, false),
+            (relative, f64::INFINITY, f64::MAX, false),
+            (relative, f64::NEG_INFINITY, f64::INFINITY, false),
+            (relative, f64::NEG_INFINITY, f64::NEG_INFINITY, true),
+            (relative, f64::NAN, f64::INFINITY, false),
+            (Tolerance::Absolute(f64::INFINITY), 0.0, 1.0, false),
+            (Tolerance::None, f64::INFINITY, f64::INFINITY, true),
+            // and a difference that overflows is no small one
+            (relative, f64::MAX, -f64::MAX, false),
+            (relative, 1e308, 1.0, false),
+            (relative, 1e308, 1.001e308, true),
         ] {
             assert_eq!(tolerance.holds(a, b), same, "{tolerance:?} {a} {b}");
             assert_eq!(tolerance.holds(b, a), same, "{tolerance:?} {b} {a}");

@@ -1,8 +1,8 @@
 //! A check held against its baselines.
 
-use super::{Accepted, Change, Kind, Located, Row, Standing, diff};
+use super::{Accepted, Change, Kind, Located, Row, Standing, contradictions, diff};
 use crate::finding::Finding;
-use crate::study::check::{Level, Outcome, level, unit_of};
+use crate::study::check::{Against, Level, ORACLE, Outcome, level, unit_of};
 
 /// What a check found, and how it differs from what was accepted.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Held {
     pub stale: Vec<String>,
     /// Baselines of scenes that are no longer checked.
     pub unread: Vec<String>,
+    /// What a baseline says of itself that is not so: scene and sentence.
+    pub contradictions: Vec<(String, String)>,
 }
 
 /// How the bits of a check stand to those of the accepted runs. They only inform.
@@ -39,9 +41,10 @@ impl Held {
             changes: Vec::new(),
             stale: Vec::new(),
             unread,
+            contradictions: Vec::new(),
         };
         // what did not run has no findings, and that is no change
-        if held.outcome.missing() > 0 {
+        if held.is_cut_short() {
             return held;
         }
         for ((scene, hash), accepted) in held.outcome.parts().into_iter().zip(&held.accepted) {
@@ -51,6 +54,9 @@ impl Held {
             if accepted.hash != hash {
                 held.stale.push(scene.clone());
             }
+            let found = contradictions(accepted, &scene, &held.bits_of(&scene));
+            held.contradictions
+                .extend(found.into_iter().map(|words| (scene.clone(), words)));
             let changes = diff(&accepted.rows, &held.rows(&scene), |row| {
                 held.outcome.tolerance(&row.engine, &row.check)
             });
@@ -61,6 +67,28 @@ impl Held {
                 }));
         }
         held
+    }
+
+    /// True if not everything ran: then nothing is held.
+    pub fn is_cut_short(&self) -> bool {
+        self.outcome.missing() > 0
+    }
+
+    /// True if what was accepted of a scene was accepted of another one, or says of itself what is not so.
+    pub fn is_stale(&self, scene: &str) -> bool {
+        let contradicts = self.contradictions.iter().any(|(of, _)| of == scene);
+        contradicts || self.stale.iter().any(|of| of == scene)
+    }
+
+    /// How one engine of one scene stands to what was accepted on one level.
+    pub fn against(&self, scene: &str, engine: &str, level: Level) -> Against {
+        if self.is_cut_short() {
+            Against::NotHeld
+        } else if self.accepted_of(scene).is_none() {
+            Against::NoBaseline
+        } else {
+            Against::Changed(self.changes_of(scene, engine, level).count())
+        }
     }
 
     /// What would be accepted of a scene.
@@ -88,9 +116,9 @@ impl Held {
     /// How it stands to what was accepted.
     pub fn standing(&self) -> Standing {
         Standing {
-            cut_short: self.outcome.missing() > 0,
+            cut_short: self.is_cut_short(),
             missing: self.unknown().len(),
-            stale: self.stale.len() + self.unread.len(),
+            stale: self.stale.len() + self.unread.len() + self.contradictions.len(),
             changes: self.changes.len(),
             broken_promises: self.outcome.broken.len(),
         }
@@ -103,7 +131,8 @@ impl Held {
         own.next().and_then(|(_, accepted)| accepted.as_ref())
     }
 
-    /// What changed of one engine in one scene on one level.
+    /// What changed of one engine in one scene on one level. What changed of an engine that is no case of the scene, such as one that was
+    /// accepted and is no more, is told with the oracle's errors: nothing that changed is without a place.
     pub fn changes_of<'a>(
         &'a self,
         scene: &'a str,
@@ -111,10 +140,17 @@ impl Held {
         wanted: Level,
     ) -> impl Iterator<Item = &'a Change> {
         let own = self.changes.iter().filter(move |l| l.scene == scene);
+        let is_case = move |of: &str, on: Level| {
+            let mut cases = self.outcome.cases.iter();
+            cases.any(|c| c.scene == scene && c.engine == of && c.level == on)
+        };
+        let everything_else = engine == ORACLE && wanted == Level::Error;
         own.map(|located| &located.change).filter(move |change| {
-            change
-                .row()
-                .is_some_and(|row| row.engine == engine && level(&row.check) == wanted)
+            change.row().is_some_and(|row| {
+                let on = level(&row.check);
+                (row.engine == engine && on == wanted)
+                    || (everything_else && !is_case(&row.engine, on))
+            })
         })
     }
 

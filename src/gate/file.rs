@@ -2,6 +2,7 @@
 
 use super::Row;
 use crate::finding::Verdict;
+use crate::study::check::{DIGITS, is_digest};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
@@ -97,20 +98,34 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
             return Err(wrong(line, "expected `# KEY: VALUE`".to_owned()));
         };
         let named = |list: &mut Vec<(String, String)>, name: &str| {
+            if list.iter().any(|(of, _)| of == name) {
+                return Err(wrong(line, format!("`{key}` is listed twice")));
+            }
             list.push((name.to_owned(), value.to_owned()));
+            Ok(())
         };
         match (
             key.strip_prefix("version of "),
             key.strip_prefix("bits of "),
         ) {
-            (Some(name), _) => named(&mut accepted.versions, name),
-            (None, Some(engine)) => named(&mut accepted.bits, engine),
-            (None, None) => match key {
-                "scene" => accepted.scene = value.to_owned(),
-                "hash" => accepted.hash = value.to_owned(),
-                "reason" => accepted.reason = value.to_owned(),
-                other => return Err(wrong(line, format!("unknown entry `{other}`"))),
-            },
+            (Some(name), _) => named(&mut accepted.versions, name)?,
+            (None, Some(_)) if !is_digest(value) => {
+                let why = format!("`{value}` is no digest: expected {DIGITS} hexadecimal digits");
+                return Err(wrong(line, why));
+            }
+            (None, Some(engine)) => named(&mut accepted.bits, engine)?,
+            (None, None) => {
+                let entry = match key {
+                    "scene" => &mut accepted.scene,
+                    "hash" => &mut accepted.hash,
+                    "reason" => &mut accepted.reason,
+                    other => return Err(wrong(line, format!("unknown entry `{other}`"))),
+                };
+                if !entry.is_empty() {
+                    return Err(wrong(line, format!("`{key}` is listed twice")));
+                }
+                *entry = value.to_owned();
+            }
         }
     }
     let (at, header) = lines.next().unwrap_or((0, ""));
@@ -245,7 +260,7 @@ mod tests {
             scene: "cradle".to_owned(),
             hash: "0123".to_owned(),
             reason: "first: as measured".to_owned(),
-            bits: vec![("exact".to_owned(), "00ff".to_owned())],
+            bits: vec![("exact".to_owned(), "00ff00ff00ff00ff".to_owned())],
             versions: vec![("rapier-f64".to_owned(), "some name 0.36.1".to_owned())],
             rows: vec![
                 row("exact", Some(0.1 + 0.2), Some(Verdict::Holds)),
@@ -292,6 +307,14 @@ mod tests {
                 "",
                 header,
                 "lack `# reason",
+            ),
+            ("00ff00ff00ff00ff", "00ff", 6, "no digest"),
+            ("00ff00ff00ff00ff", "00FF00FF00FF00FF", 6, "no digest"),
+            (
+                "# bits of exact: 00ff00ff00ff00ff\n",
+                "# bits of exact: 00ff00ff00ff00ff\n# bits of exact: 00ff00ff00ff00ff\n",
+                7,
+                "`bits of exact` is listed twice",
             ),
             (
                 "engine,check",

@@ -4,16 +4,20 @@
 //! a number that left its tolerance, in either direction, another verdict, a finding that vanished and one that appeared are changes alike.
 //! What is accepted may be a break: then the break is what is expected. Reads and writes text; files are for `cli`.
 
+mod cases;
 mod check;
 mod decision;
 mod diff;
 mod file;
+mod header;
 mod words;
 
+pub use cases::{HeldCases, hold_cases};
 pub use check::{Bits, Held};
 pub use decision::{Decision, Refused, Standing};
 pub use diff::{Change, Kind, diff};
 pub use file::{Accepted, Malformed, read, write};
+pub use header::{contradictions, other_versions, versions_sentence};
 pub use words::{Located, changes_sentence, changes_table};
 
 use crate::finding::{Finding, Verdict};

@@ -232,7 +232,8 @@ impl Recorder {
                 continue;
             }
             add_knot(&mut self.paths[ball], time, state);
-            if state.speed() > self.provenance.rest_speed {
+            // a speed that is no number is no rest
+            if state.speed().is_nan() || state.speed() > self.provenance.rest_speed {
                 self.stop_times[ball] = None;
             }
         }

@@ -26,6 +26,7 @@ mod horizon;
 mod laws;
 mod missed_collisions;
 mod mutants;
+mod not_finite;
 mod perturb;
 mod play;
 mod precision;

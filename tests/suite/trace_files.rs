@@ -27,6 +27,11 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
+/// Any finite f64, as every time is, and every state of a run that did not end because one was not.
+fn finite() -> impl Strategy<Value = f64> {
+    number().prop_map(|x| if x.is_finite() { x } else { f64::MAX })
+}
+
 fn state() -> impl Strategy<Value = State> {
     prop::array::uniform9(number()).prop_map(|n| State {
         position: Vec3::new(n[0], n[1], n[2]),
@@ -35,11 +40,26 @@ fn state() -> impl Strategy<Value = State> {
     })
 }
 
-/// Times of a path or of events: sorted, with repetitions, both zeros and rarely a NaN at the end.
+/// A run that ended otherwise than as not-finite has finite states.
+fn tidy(trace: &mut Trace) {
+    if matches!(trace.ending, Ending::NotFinite(_)) {
+        return;
+    }
+    for knot in trace.paths.iter_mut().flat_map(|path| &mut path.knots) {
+        let state = &mut knot.state;
+        for vector in [&mut state.position, &mut state.velocity, &mut state.spin] {
+            for x in vector.iter_mut().filter(|x| !x.is_finite()) {
+                *x = -f64::MAX;
+            }
+        }
+    }
+}
+
+/// Times of a path or of events: sorted, with repetitions and both zeros.
 fn times(longest: usize) -> impl Strategy<Value = Vec<f64>> {
-    let time = prop_oneof![4 => 0.0..20.0f64, 2 => Just(0.0), 1 => Just(-0.0), 2 => Just(7.5), 1 => Just(f64::NAN)];
+    let time = prop_oneof![4 => 0.0..20.0f64, 2 => Just(0.0), 1 => Just(-0.0), 2 => Just(7.5)];
     prop::collection::vec(time, 1..longest).prop_map(|mut times| {
-        times.sort_by(|a, b| a.partial_cmp(b).unwrap_or(a.is_nan().cmp(&b.is_nan())));
+        times.sort_by(|a, b| a.partial_cmp(b).unwrap());
         times
     })
 }
@@ -76,7 +96,7 @@ fn events(balls: u32) -> impl Strategy<Value = Vec<Event>> {
 }
 
 fn ending(balls: u32) -> impl Strategy<Value = Ending> {
-    let spot = (number(), prop::collection::vec(0..balls, 0..3), ".*")
+    let spot = (finite(), prop::collection::vec(0..balls, 0..3), ".*")
         .prop_map(|(time, balls, why)| Spot { time, balls, why });
     (0..8, spot).prop_map(|(which, spot)| match which {
         0 => Ending::Rest,
@@ -92,7 +112,7 @@ fn ending(balls: u32) -> impl Strategy<Value = Ending> {
 
 fn extremum(balls: u32) -> impl Strategy<Value = Extremum> {
     let ball = || prop::option::of(0..balls);
-    (number(), number(), ball(), ball()).prop_map(|(value, time, ball, other)| Extremum {
+    (number(), finite(), ball(), ball()).prop_map(|(value, time, ball, other)| Extremum {
         value,
         time,
         ball,
@@ -134,8 +154,19 @@ fn parameters() -> impl Strategy<Value = BTreeMap<String, serde_json::Value>> {
 
 /// The certainty of every event, or of none.
 fn certainty(events: usize) -> impl Strategy<Value = Vec<Certainty>> {
-    let known = [(); 3].map(|()| prop::option::of(number()));
-    let one = known.prop_map(|[margin, condition, time_error]| Certainty {
+    // margin and condition are sizes, maybe without bound
+    let size = || {
+        number().prop_map(|x| match x {
+            x if x.is_nan() => f64::INFINITY,
+            x => x.abs(),
+        })
+    };
+    let known = (
+        prop::option::of(size()),
+        prop::option::of(size()),
+        prop::option::of(number()),
+    );
+    let one = known.prop_map(|(margin, condition, time_error)| Certainty {
         margin,
         condition,
         time_error,
@@ -162,7 +193,7 @@ fn trace() -> impl Strategy<Value = Trace> {
         let paths: Vec<_> = (0..balls.len())
             .map(|ball| path(ball, events.clone()))
             .collect();
-        let provenance = ([".*", ".*", ".*", ".*"], parameters(), number(), number()).prop_map(
+        let provenance = ([".*", ".*", ".*", ".*"], parameters(), finite(), finite()).prop_map(
             |([engine, version, scene, scene_hash], parameters, resolution, rest_speed)| {
                 Provenance {
                     engine,
@@ -182,7 +213,7 @@ fn trace() -> impl Strategy<Value = Trace> {
             extremum(n),
             extremum(n),
         ];
-        let stops = prop::collection::vec(prop::option::of(number()), balls.len());
+        let stops = prop::collection::vec(prop::option::of(finite()), balls.len());
         let counters = prop::collection::btree_map(".*", any::<u64>(), 0..4);
         let rest = (
             paths,
@@ -191,7 +222,7 @@ fn trace() -> impl Strategy<Value = Trace> {
             stops,
             counters,
             ending(n),
-            number(),
+            finite(),
             certainty(events.len()),
         );
         rest.prop_map(
@@ -206,7 +237,7 @@ fn trace() -> impl Strategy<Value = Trace> {
                 certainty,
             )| {
                 let [energy_gained, momentum, overlap, outside, displaced] = extrema;
-                Trace {
+                let mut trace = Trace {
                     provenance,
                     balls: balls.clone(),
                     paths,
@@ -223,7 +254,9 @@ fn trace() -> impl Strategy<Value = Trace> {
                     counters,
                     ending,
                     end_time,
-                }
+                };
+                tidy(&mut trace);
+                trace
             },
         )
     })
@@ -506,6 +539,43 @@ fn every_fault_is_named_by_file_line_and_column() {
             "events.csv:2: column `condition`: `often`: expected a number",
         ),
         (
+            |f| f.events = f.events.replace(",1,inf", ",1,-inf"),
+            "events.csv:2: column `margin`: `-inf`: expected a number, 0 or more, or inf",
+        ),
+        (
+            |f| f.events = f.events.replace("1.25", "NaN"),
+            "events.csv:2: column `condition`: `NaN`: expected a number, 0 or more, or inf",
+        ),
+        (
+            |f| f.events = f.events.replace("1,0.5,", "1,inf,"),
+            "events.csv:3: column `time`: `inf`: expected a finite number",
+        ),
+        (
+            |f| f.samples = f.samples.replace("2,cue", "inf,cue"),
+            "samples.csv:8: column `time`: `inf`: expected a finite number",
+        ),
+        // a decimal beyond the largest number is infinite
+        (
+            |f| f.samples = f.samples.replace("2,cue,1.5,0.1", "2,cue,1.5,1e999"),
+            "samples.csv:8: column `y`: `1e999`: expected a finite number; only a run that ends as not-finite in run.json may hold others",
+        ),
+        (
+            |f| {
+                f.samples = f
+                    .samples
+                    .replace("2,cue,1.5,0.1,0.25,0", "2,cue,1.5,0.1,0.25,NaN")
+            },
+            "samples.csv:8: column `vx`: `NaN`: expected a finite number; only a run that ends as not-finite in run.json may hold others",
+        ),
+        (
+            |f| f.final_states = f.final_states.replace("0,0.5\n", "0,inf\n"),
+            "final.csv:2: column `stop_time`: `inf`: expected a finite number",
+        ),
+        (
+            |f| f.final_states = f.final_states.replace("cue,1.5", "cue,inf"),
+            "final.csv:2: column `x`: inf, but the last row of the ball in samples.csv says 1.5",
+        ),
+        (
             |f| f.samples = f.samples.replace("2,cue", "0.2,cue"),
             "samples.csv:8: column `time`: 0.2 is earlier than the ball's row before",
         ),
@@ -571,6 +641,22 @@ fn every_fault_is_named_by_file_line_and_column() {
         (
             |f| f.run = f.run.replace("\"NaN\"", "\"none\""),
             "run.json:26:21: invalid value: string \"none\", expected a number, \"NaN\", \"inf\" or \"-inf\"",
+        ),
+        (
+            |f| f.run = f.run.replace("\"end_time\": 2.0", "\"end_time\": \"inf\""),
+            "run.json:14:20: invalid value: string \"inf\", expected a finite number",
+        ),
+        (
+            |f| {
+                f.run = f
+                    .run
+                    .replace("\"rest_speed\": 0.0", "\"rest_speed\": \"NaN\"")
+            },
+            "run.json:10:21: invalid value: string \"NaN\", expected a finite number",
+        ),
+        (
+            |f| f.run = f.run.replace("\"time\": 0.5", "\"time\": 1e999"),
+            "run.json:32:22: number out of range",
         ),
         (
             |f| f.run = f.run.replace("\"duration\"", "\"collapsed\""),

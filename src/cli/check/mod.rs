@@ -3,13 +3,14 @@
 mod outputs;
 
 use super::arguments::CheckArguments;
+use super::orphans::orphans;
 use super::{Failure, NOT_MET, accepted, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
 use crate::scene::catalogue;
 use crate::study::check::{
-    Level, RANDOM, RANDOM_SCENES, bounds, page, random_plan, study, summary,
+    Against, Level, RANDOM, RANDOM_SCENES, bounds, page, random_plan, study, summary,
 };
 use crate::study::compare::default_columns;
 use crate::study::{Watch, random};
@@ -45,7 +46,7 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     // a file that cannot be read is said before anything runs
     let before = accepted::read(&files, COMMAND)?;
     let unread = if arguments.scenes.is_empty() {
-        unread(folder, &files)
+        orphans(folder, &files)
     } else {
         Vec::new()
     };
@@ -57,8 +58,8 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     };
     let start = Instant::now();
     let columns = default_columns();
-    let mut outcome = study(&scenes, &columns, watch)
-        .map_err(|error| Failure::Message(error.to_string()))?;
+    let mut outcome =
+        study(&scenes, &columns, watch).map_err(|error| Failure::Message(error.to_string()))?;
     if random {
         let plan = random_plan(&columns, RANDOM_SCENES);
         outcome.add_random(&random::study(plan, watch));
@@ -86,25 +87,13 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-/// Names of baselines in the folder that no scene reads.
-fn unread(folder: &Path, files: &[PathBuf]) -> Vec<String> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut unread: Vec<String> = entries
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|e| e == "csv") && !files.contains(path))
-        .map(|path| path.display().to_string())
-        .collect();
-    unread.sort();
-    unread
-}
-
-/// Writes a document of a check; the function says how many findings of a scene, engine and level changed.
-type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> usize) -> Document;
+/// Writes a document of a check; the function says how a scene, engine and level stands to what was accepted.
+type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> Against) -> Document;
 
 /// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
 /// table of them.
 fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
-    let changed = |scene: &str, engine: &str, level| held.changes_of(scene, engine, level).count();
+    let changed = |scene: &str, engine: &str, level| held.against(scene, engine, level);
     let mut document = write(&held.outcome, &changed);
     let ran = std::mem::replace(&mut document.lead, sentence(held, folder));
     let mut opening = vec![Block::Text(ran)];
@@ -153,6 +142,7 @@ fn sentence(held: &Held, folder: &Path) -> String {
             held.stale.join(", ")
         ));
     }
+    parts.extend(held.contradictions.iter().map(|(_, words)| words.clone()));
     if !held.unread.is_empty() {
         parts.push(format!("read by no scene: {}", held.unread.join(", ")));
     }
@@ -164,6 +154,8 @@ fn sentence(held: &Held, folder: &Path) -> String {
         other,
         changed,
     } = held.bits();
+    let known = held.accepted.iter().flatten();
+    parts.extend(gate::versions_sentence(known, &versions::with_compiler()));
     parts.push(format!(
         "bits: {same} runs the same, {other} the same physics in different bits, {changed} others"
     ));
@@ -218,7 +210,7 @@ fn accept(
     let mut changes = Vec::new();
     let parts = held.outcome.parts().into_iter();
     for (((scene, hash), before), file) in parts.zip(&held.accepted).zip(files) {
-        let known = before.is_some() && !held.stale.contains(&scene);
+        let known = before.is_some() && !held.is_stale(&scene);
         let changed = held.changes.iter().any(|l| l.scene == scene);
         if known && !changed {
             continue;

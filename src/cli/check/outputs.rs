@@ -12,13 +12,18 @@ const TOLD: usize = 10;
 /// Annotations of a step that GitHub shows.
 const SHOWN: usize = 10;
 
-/// JUnit XML: one suite a scene, one test case an engine and level. Errors: what cannot be written, in one sentence.
+/// JUnit XML: one suite a scene, one test case an engine and level, and a suite of baselines that no scene reads, where there are any. Errors: what cannot be written, in one sentence.
 pub fn junit(held: &Held) -> Result<String, String> {
     let mut report = Report::new("carom check");
     for name in held.outcome.names() {
         let mut suite = TestSuite::new(printable(name));
         let own = held.outcome.cases.iter().filter(|c| c.scene == name);
         suite.add_test_cases(own.map(|case| test_case(held, case)));
+        report.add_test_suite(suite);
+    }
+    if !held.unread.is_empty() {
+        let mut suite = TestSuite::new("baselines");
+        suite.add_test_cases(held.unread.iter().map(|file| unread(file)));
         report.add_test_suite(suite);
     }
     let xml = report
@@ -62,11 +67,27 @@ fn test_case(held: &Held, case: &Case) -> TestCase {
             status.set_description(lines.join("\n"));
             status
         }
+        (State::Ran, None) if held.is_cut_short() => {
+            let mut status = TestCaseStatus::skipped();
+            status.set_description("not held: the check did not run to its end");
+            status
+        }
         (State::Ran, None) => TestCaseStatus::success(),
     };
     let name = format!("{} / {}", printable(&case.engine), case.level.id());
     let mut test = TestCase::new(name, status);
     test.set_classname(format!("carom.{}", printable(&case.scene)));
+    test
+}
+
+/// A baseline that no scene reads.
+fn unread(file: &str) -> TestCase {
+    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+    status.set_message("no scene reads this baseline");
+    status.set_type("baseline");
+    status.set_description(format!("no scene reads {file}: remove it"));
+    let mut test = TestCase::new(file, status);
+    test.set_classname("carom.baselines");
     test
 }
 
@@ -106,6 +127,11 @@ fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
     }
     if stale {
         lines.insert(0, "the scene has changed since it was accepted".to_owned());
+    }
+    if case.engine == ORACLE && case.level == Level::Error {
+        let own = held.contradictions.iter();
+        let own = own.filter(|(scene, _)| *scene == case.scene);
+        lines.extend(own.map(|(_, words)| words.clone()));
     }
     if unknown {
         lines.push("nothing is accepted of this scene".to_owned());

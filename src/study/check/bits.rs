@@ -7,6 +7,15 @@ use std::fmt::Write;
 /// Bytes of a digest that are kept: no two of a few hundred runs share them by chance.
 const BYTES: usize = 8;
 
+/// Hexadecimal digits of a digest.
+pub const DIGITS: usize = 2 * BYTES;
+
+/// True for what can be a digest of a run.
+pub fn is_digest(text: &str) -> bool {
+    let digit = |c: char| c.is_ascii_digit() || ('a'..='f').contains(&c);
+    text.len() == DIGITS && text.chars().all(digit)
+}
+
 /// 64 bits of the SHA-256 digest of events, final states, stop times and end, as hexadecimal digits.
 pub fn of(trace: &Trace) -> String {
     let mut hash = Sha256::new();

@@ -2,10 +2,11 @@
 
 use super::Level;
 use super::random::FUZZ;
+use super::written::WRITTEN;
 use crate::compare::metric;
 use crate::finding::{Hold, Tolerance};
 
-/// One thing that is held.
+/// One thing that is held: in a check, or between two runs alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Held {
     /// Unique kebab-case name.
@@ -20,7 +21,7 @@ pub struct Held {
     pub what: &'static str,
 }
 
-const fn held(
+pub(super) const fn held(
     id: &'static str,
     unit: &'static str,
     level: Level,
@@ -166,7 +167,7 @@ pub const HELD: &[Held] = &[
 ];
 
 fn find(id: &str) -> Option<&'static Held> {
-    HELD.iter().find(|held| held.id == id)
+    HELD.iter().chain(WRITTEN).find(|held| held.id == id)
 }
 
 /// The level of a metric.

@@ -13,14 +13,17 @@ mod page;
 mod pair;
 mod promises;
 mod random;
+mod written;
 
+pub use bits::{DIGITS, is_digest};
 pub use distribution::{SAMPLES, SEED};
 pub use held::{HELD, Held, hold, level, tolerance, unit_of, what};
 pub use oracle::ORACLE;
-pub use page::{bounds, page, summary};
+pub use page::{Against, bounds, page, summary};
 pub use pair::{between, ulp_of};
 pub use promises::Broken;
 pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash, random_plan};
+pub use written::{WRITTEN, unheld};
 
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};

@@ -4,8 +4,19 @@ use super::{Case, HELD, Level, Outcome, State, hold};
 use crate::compare::METRICS;
 use crate::finding::{Block, Cell, Column, Document, Table, Tolerance, Tone};
 
-/// Says how many findings of a scene, an engine and a level changed.
-type Changed<'a> = &'a dyn Fn(&str, &str, Level) -> usize;
+/// How what was found of a scene, an engine and a level stands to what was accepted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Against {
+    /// So many findings changed.
+    Changed(usize),
+    /// Nothing is accepted of the scene.
+    NoBaseline,
+    /// Not everything ran, so nothing is held.
+    NotHeld,
+}
+
+/// Says how findings of a scene, an engine and a level stand to what was accepted.
+type Changed<'a> = &'a dyn Fn(&str, &str, Level) -> Against;
 
 /// What a terminal shows: the sentence, and how each scene stands on each level.
 pub fn summary(outcome: &Outcome, changed: Changed<'_>) -> Document {
@@ -123,7 +134,17 @@ fn cell(
         .iter()
         .filter(|b| b.level == level && b.scene == scene && wanted(&b.engine));
     let broken = broken.count();
-    let moved: usize = cases.iter().map(|c| changed(scene, &c.engine, level)).sum();
+    let stands: Vec<Against> = cases
+        .iter()
+        .map(|c| changed(scene, &c.engine, level))
+        .collect();
+    let moved: usize = stands
+        .iter()
+        .map(|against| match against {
+            Against::Changed(moved) => *moved,
+            Against::NoBaseline | Against::NotHeld => 0,
+        })
+        .sum();
     if cases.is_empty() {
         Cell::Empty
     } else if missing > 0 {
@@ -132,6 +153,10 @@ fn cell(
         Cell::verdict(Tone::Bad, format!("{broken} broken"))
     } else if moved > 0 {
         Cell::verdict(Tone::Bad, format!("{moved} changed"))
+    } else if stands.contains(&Against::NotHeld) {
+        Cell::verdict(Tone::Notice, "not held")
+    } else if stands.contains(&Against::NoBaseline) {
+        Cell::verdict(Tone::Bad, "no baseline")
     } else if refused == cases.len() {
         Cell::verdict(Tone::Quiet, "refused")
     } else if refused > 0 {

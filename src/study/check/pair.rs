@@ -1,13 +1,13 @@
 //! Two runs of one scene: two versions of an engine, two machines, two settings.
 
 use super::held::{ENDING, WORK};
-use super::unit_of;
+use super::{unit_of, written};
 use crate::compare::{self, Comparison};
 use crate::finding::Finding;
 use crate::scene::Scene;
 use crate::trace::Trace;
 
-/// Everything that is measured of a trace, and of its distance from `reference`, under the label `engine`.
+/// Everything that is measured of a trace, and of its distance from `reference`, and all that its files hold, under the label `engine`.
 ///
 /// The distance of `reference` from itself is nothing, so that its findings and those of another run can be held against each other.
 pub fn between(scene: &Scene, engine: &str, trace: &Trace, reference: &Trace) -> Vec<Finding> {
@@ -28,6 +28,7 @@ pub fn between(scene: &Scene, engine: &str, trace: &Trace, reference: &Trace) ->
     findings.extend(compare::of_trace(scene, engine, trace));
     let work = trace.counters.iter();
     findings.extend(work.map(|(name, count)| finding(WORK, name, *count as f64)));
+    findings.extend(written::findings(scene, engine, trace, reference));
     findings
 }
 

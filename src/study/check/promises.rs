@@ -6,7 +6,7 @@
 use super::Level;
 use super::held::PROMISE;
 use crate::finding::{Finding, Verdict};
-use crate::math::{Vec3, worse};
+use crate::math::{Vec3, within, worse};
 use crate::physics::Friction;
 use crate::physics::State;
 use crate::physics::invariants::{Invariant, kinetic_energy};
@@ -109,7 +109,7 @@ fn directly(
         let bound = examined.rounding.min(1.0);
         // beyond the horizon nothing is demanded, and a NaN is within nothing
         let known = oracle.is_some_and(Oracle::is_whole);
-        Some(if apart <= bound || !known {
+        Some(if within(apart, bound) || !known {
             Ok(())
         } else {
             Err(format!(
@@ -122,7 +122,7 @@ fn directly(
             let whole = scene.initial_energy();
             let worst = impact_energy(scene, trace);
             let bound = IMPACT_ULPS * examined.judged.ulp * whole;
-            Some(if worst <= bound {
+            Some(if within(worst, bound) {
                 Ok(())
             } else {
                 Err(format!(

@@ -15,7 +15,7 @@
 
 use super::laws::{self, Laws};
 use crate::compare::{Sweep, sweep, worst_overlap};
-use crate::math::worse;
+use crate::math::{within, worse};
 use crate::physics::State;
 use crate::physics::invariants::kinetic_energy;
 use crate::scene::Scene;
@@ -112,7 +112,7 @@ impl Bounds {
         let h = trace.provenance.resolution;
         let fastest = |knots: &[crate::trace::Knot]| {
             let speeds = knots.iter().map(|knot| knot.state.speed());
-            speeds.fold(0.0, f64::max)
+            speeds.fold(0.0, worse)
         };
         Bounds {
             rounding: rounding(scene, trace, trace.end_time),
@@ -144,7 +144,7 @@ impl Bounds {
 fn rounding(scene: &Scene, trace: &Trace, time: f64) -> f64 {
     let knots = trace.paths.iter().flat_map(|path| &path.knots);
     let extent = knots.fold(scene.largest_coordinate(), |largest, knot| {
-        largest.max(knot.state.position.amax())
+        worse(largest, knot.state.position.amax())
     });
     scene.place_blur_within(extent, time)
 }
@@ -212,7 +212,7 @@ fn energy(scene: &Scene, trace: &Trace, verdict: &mut Verdict) {
     } else {
         f64::INFINITY
     };
-    if verdict.energy > MOST_ENERGY {
+    if !within(verdict.energy, MOST_ENERGY) {
         let gained = verdict.energy;
         let words = format!("{gained:e} of the {start:e} at the start, at {when:e} s");
         verdict.faults.push(Fault::new("energy", words));
@@ -226,10 +226,8 @@ fn outside(scene: &Scene, trace: &Trace, bounds: &Bounds, verdict: &mut Verdict)
     let mut report = |ball: usize, time: f64, beyond: f64| {
         let allowed = (bounds.rounding + bounds.step[ball]) * (1.0 + ROUNDED);
         let part = beyond / allowed;
-        if part > verdict.outside {
-            verdict.outside = part;
-        }
-        if part > 1.0 && verdict.faults.iter().all(|fault| fault.what != "outside") {
+        verdict.outside = worse(verdict.outside, part);
+        if !within(beyond, allowed) && verdict.faults.iter().all(|fault| fault.what != "outside") {
             let id = &trace.balls[ball];
             let words = format!("ball {id} by {beyond:e} at {time:e} s, allowed {allowed:e}");
             verdict.faults.push(Fault::new("outside", words));
@@ -270,7 +268,7 @@ fn overlap(scene: &Scene, trace: &Trace, bounds: &Bounds, verdict: &mut Verdict)
     let mut report = |who: &str, (a, b): (usize, usize), time: f64, depth: f64, more: f64| {
         let allowed = bounds.overlap(a, b, more);
         verdict.overlap = worse(verdict.overlap, depth / allowed);
-        if depth > allowed {
+        if !within(depth, allowed) {
             let (first, second) = (&trace.balls[a], &trace.balls[b]);
             let words = format!(
                 "{first} and {second} by {depth:e} at {time:e} s by {who}, allowed {allowed:e}"

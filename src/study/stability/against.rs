@@ -4,6 +4,7 @@ use super::oracle::Oracle;
 use super::rules::{Evidence, Judgement, Place, short};
 use crate::compare::{Comparison, largest_distance_at_end};
 use crate::finding::Verdict;
+use crate::math::{within, worse};
 use crate::physics::Cloth;
 use crate::scene::Simultaneous;
 use crate::study::compare::{describe_kind, describe_span};
@@ -117,7 +118,7 @@ impl<'a> Bound<'a> {
         let (_, normal) = self.approach(event.kind, event.time);
         let shift = 2.0 * self.length;
         let moved = if shift > 0.0 { shift / normal } else { 0.0 };
-        self.dt + moved.max(self.late)
+        self.dt + worse(moved, self.late)
     }
 
     /// How deep the balls of a hit would go into each other if they met nothing, length; `None` for a cushion.
@@ -177,7 +178,7 @@ fn lateness(comparison: &Comparison<'_>) -> f64 {
         .iter()
         .take(comparison.order.tolerant);
     let off = agreeing.filter_map(|&(i, j)| Some((ours.get(i)? - theirs.get(j)?).abs()));
-    off.fold(0.0, f64::max)
+    off.fold(0.0, worse)
 }
 
 /// What a difference of two orders is, in words, and whether the step explains it.
@@ -375,7 +376,7 @@ pub fn distance(e: &Evidence<'_>) -> Option<Judgement> {
     };
     let value = length / radius;
     let explained = oracle.allowance(e.scene, &e.allowance, collisions) / radius;
-    if value <= explained.min(1.0) {
+    if within(value, explained.min(1.0)) {
         return Some(Judgement::holds(value));
     }
     let who = place.as_ref().map_or(String::new(), |p| {
@@ -405,7 +406,7 @@ fn owner(comparison: &Comparison<'_>, until: f64, largest: f64) -> Option<Place>
         let of = |sides: Option<(crate::physics::State, crate::physics::State)>| {
             sides.map_or(0.0, |(p, q)| (p.position - q.position).norm())
         };
-        of(far).max(of(near))
+        worse(of(far), of(near))
     };
     let distances: Vec<f64> = pairs.map(apart).collect();
     let ball = (0..distances.len()).max_by(|&a, &b| distances[a].total_cmp(&distances[b]))?;
@@ -433,13 +434,16 @@ pub fn stop_time(e: &Evidence<'_>) -> Option<Judgement> {
     let differences = pairs
         .enumerate()
         .filter_map(|(ball, (a, b))| Some((ball, (a.as_ref()? - b.as_ref()?).abs())));
-    let (ball, value) =
-        differences.reduce(|worst, next| if next.1 > worst.1 { next } else { worst })?;
+    let (ball, value) = differences.reduce(|largest, next| {
+        let replaces = next.1 > largest.1 || next.1.is_nan();
+        if replaces { next } else { largest }
+    })?;
     // in the units of growth an error of a length in R is one of a speed in the fastest
     let length = oracle.allowance(e.scene, &e.allowance, comparison.order.tolerant);
     let speed = length / e.scene.smallest_radius() * oracle.fastest;
     let bound = 2.0 * e.allowance.dt + speed / slows;
-    if value <= bound {
+    // where growth is not known the bound is infinite, and still no ball stops at infinity as it should
+    if value.is_finite() && value <= bound {
         return Some(Judgement::holds(value));
     }
     let why = format!(

@@ -20,7 +20,7 @@ pub use images::{is_reversible, mirrored, relabelled, reversed};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
 pub(super) use plan::tried;
-pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets};
+pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
 pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
 
 use super::matrix::{Column, Task, Watch, run_tasks};

@@ -165,6 +165,13 @@ pub fn cells(
     Ok(cells)
 }
 
+/// Whether a run of a scene with this label is in the matrix of every preset; `None` where no matrix has it.
+pub fn reach_of(scene: &Scene, oracle: Option<&Oracle>, label: &str) -> Option<Reach> {
+    let planned = cells(0, scene, oracle, &presets()).ok()?;
+    let own = planned.iter().find(|cell| cell.column.label() == label);
+    own.map(|cell| cell.reach)
+}
+
 /// `ENGINE KEY=VALUE ...` as a column.
 pub(in crate::study) fn tried(scene: &Scene, text: &str) -> Result<Column, PlanError> {
     let wrong = |why: String| PlanError::Try {

@@ -8,6 +8,7 @@ use super::images::{is_finite, is_reversible};
 use super::oracle::{Allowance, Oracle, fastest};
 use crate::compare::Comparison;
 use crate::finding::{Hold, Tolerance, Verdict};
+use crate::math::{within, worse};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, State};
 use crate::scene::Scene;
@@ -359,7 +360,7 @@ fn energy(e: &Evidence<'_>) -> Option<Judgement> {
     let gained = e.trace.extrema.energy_gained;
     let (whole, unit) = energy_unit(e)?;
     let part = gained.value / whole;
-    if part <= e.energy_rounding() {
+    if within(part, e.energy_rounding()) {
         return Some(Judgement::holds(part));
     }
     let found = place(&gained);
@@ -391,7 +392,7 @@ fn lost(e: &Evidence<'_>) -> Option<Judgement> {
     let states: Option<Vec<State>> = e.trace.final_states().into_iter().collect();
     let part = 1.0 - e.scene.kinetic_energy(&states?) / whole;
     // an impact rounds down as easily as up
-    if part.abs() <= e.energy_rounding() || part < 0.0 {
+    if within(part.abs(), e.energy_rounding()) || (part < 0.0 && part.is_finite()) {
         return Some(Judgement::holds(part));
     }
     let why = format!("loses {} of its energy, which nothing takes", short(part));
@@ -413,8 +414,8 @@ fn outside(e: &Evidence<'_>) -> Option<Judgement> {
     e.scene.table?;
     let farthest = e.trace.extrema.outside;
     let radius = e.scene.smallest_radius();
-    let value = farthest.value.max(0.0);
-    if value <= e.fastest() * e.allowance.dt + e.rounding() {
+    let value = worse(0.0, farthest.value);
+    if within(value, e.fastest() * e.allowance.dt + e.rounding()) {
         return Some(Judgement::holds(value / radius));
     }
     let found = place(&farthest);
@@ -442,7 +443,7 @@ fn stops(e: &Evidence<'_>) -> Option<Judgement> {
     let moving: Vec<usize> = states
         .iter()
         .enumerate()
-        .filter(|(_, state)| state.is_some_and(|s| s.speed() > rest))
+        .filter(|(_, state)| state.is_some_and(|s| s.speed().is_nan() || s.speed() > rest))
         .map(|(ball, _)| ball)
         .collect();
     if moving.is_empty() {
@@ -500,13 +501,13 @@ fn overlap(e: &Evidence<'_>) -> Option<Judgement> {
     e.scene.effects.contact?;
     let deepest = e.trace.extrema.overlap;
     let radius = e.scene.smallest_radius();
-    let value = deepest.value.max(0.0);
+    let value = worse(0.0, deepest.value);
     let pair = 2.0 * e.fastest() * e.allowance.dt + e.rounding();
-    if value <= pair {
+    if within(value, pair) {
         return Some(Judgement::holds(value / radius));
     }
     let group = pair * (e.scene.balls.len() as f64 - 1.0);
-    let verdict = if value > group || e.allowance.dt == 0.0 {
+    let verdict = if !within(value, group) || e.allowance.dt == 0.0 {
         Verdict::Breaks
     } else {
         Verdict::Drifts
@@ -530,7 +531,10 @@ fn momentum(e: &Evidence<'_>) -> Option<Judgement> {
         return None;
     }
     let value = missed.value / unit;
-    if missed.value <= 64.0 * e.allowance.ulp * heaviest * e.scene.fastest() {
+    if within(
+        missed.value,
+        64.0 * e.allowance.ulp * heaviest * e.scene.fastest(),
+    ) {
         return Some(Judgement::holds(value));
     }
     let verdict = if e.promises(Invariant::Momentum) {
@@ -582,7 +586,7 @@ fn image(
     let apart = apart?;
     // where more than a radius would be explained nothing is
     let bound = rounding_grown(e).max(2.0 * stepping(e)).min(1.0);
-    if apart <= bound {
+    if within(apart, bound) {
         return Some(Judgement::holds(apart));
     }
     // beyond the horizon nothing is demanded
@@ -614,7 +618,8 @@ fn reversal(e: &Evidence<'_>) -> Option<Judgement> {
             why: String::new(),
         });
     }
-    if apart <= bound {
+    // where growth is not known its bound is infinite, and still no place at infinity is the start
+    if apart.is_finite() && apart <= bound {
         return Some(Judgement::holds(apart));
     }
     let why = format!(

@@ -15,6 +15,12 @@
 //! Numbers are shortest round-trip decimals; `-0`, `inf`, `-inf` and `NaN` are kept (as text in JSON, which has no such
 //! numbers; the sign and payload of a NaN are not kept). A reader finds columns and keys by name and ignores those it does
 //! not know, because later versions append some.
+//!
+//! Every time, step and rest speed is finite, a margin or condition is 0 or more or `inf`, and the estimate of a time error may be
+//! no number where its derivative overflowed. Positions, velocities and
+//! spins are finite too, unless `run.json` says that the run ended as `not-finite`: an engine that steps notices that a number overflowed
+//! only after it has recorded it, and what led there is worth reading. Extrema may be anything in any run: a square overflows before a
+//! speed does.
 
 mod number;
 mod read;

@@ -74,6 +74,26 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D:
     deserializer.deserialize_any(Number)
 }
 
+/// Numbers of JSON that must be finite: times, steps, speeds.
+pub mod finite {
+    use serde::de::{Deserializer, Error, Unexpected};
+
+    pub use super::serialize;
+
+    /// Reads a JSON number and refuses one that is none, with what would be right.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        let x = super::deserialize(deserializer)?;
+        if x.is_finite() {
+            return Ok(x);
+        }
+        let found = super::shortest(x);
+        Err(D::Error::invalid_value(
+            Unexpected::Str(&found),
+            &"a finite number",
+        ))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::shortest;

@@ -1,17 +1,18 @@
 //! The text of four files as a trace, with every fault named by file, line and column.
 
 use super::{
-    CERTAINTY_COLUMNS, EVENT_COLUMNS, EVENTS, FINAL, FINAL_COLUMNS, FileError, Files,
+    CERTAINTY_COLUMNS, EVENT_COLUMNS, EVENTS, FINAL, FINAL_COLUMNS, FileError, Files, RUN,
     SAMPLE_COLUMNS, SAMPLES, ball_index, run,
 };
 use crate::math::Vec3;
 use crate::physics::{Side, State};
-use crate::trace::{Certainty, Event, EventKind, Knot, Path, Trace};
+use crate::trace::{Certainty, Ending, Event, EventKind, Knot, Path, Trace};
 use std::collections::HashMap;
 
 /// The trace that four files hold.
 ///
-/// What they say twice must agree: the states in `final.csv` are the last knots, and a knot's event is one of its ball.
+/// What they say twice must agree: the states in `final.csv` are the last knots, and a knot's event is one of its ball. Times are finite,
+/// and so are positions, velocities and spins unless the run ended because one of them was not.
 ///
 /// Errors: the first fault found, with file, line, column and what would be right.
 pub fn read(files: &Files) -> Result<Trace, FileError> {
@@ -22,9 +23,10 @@ pub fn read(files: &Files) -> Result<Trace, FileError> {
         .enumerate()
         .map(|(i, id)| (id.as_str(), i as u32))
         .collect();
-    let (events, certainty) = events(&files.events, &balls, &index)?;
-    let paths = samples(&files.samples, &balls, &index, &events)?;
     let part = run::read(&files.run, &balls)?;
+    let broken = matches!(part.ending, Ending::NotFinite(_));
+    let (events, certainty) = events(&files.events, &balls, &index)?;
+    let paths = samples(&files.samples, &balls, &index, &events, broken)?;
     let trace = Trace {
         provenance: part.provenance,
         paths,
@@ -73,7 +75,7 @@ fn final_rows(text: &str) -> Result<Vec<FinalRow>, FileError> {
             } else {
                 Some(numbers(&state)?)
             },
-            stop_time: stop_time.optional(Field::number)?,
+            stop_time: stop_time.optional(Field::finite)?,
         });
     }
     Ok(rows)
@@ -133,7 +135,7 @@ fn events(
             )));
         }
         let event = Event {
-            time: time.number()?,
+            time: time.finite()?,
             kind: event_kind(&kind, &a, &b, balls, index)?,
             exchanges: exchanges.optional(Field::whole)?,
         };
@@ -143,8 +145,9 @@ fn events(
         events.push(event);
         let [margin, condition, time_error] = table.optional_fields();
         certainty.push(Certainty {
-            margin: margin.optional(Field::number)?,
-            condition: condition.optional(Field::number)?,
+            margin: margin.optional(Field::measure)?,
+            condition: condition.optional(Field::measure)?,
+            // an estimate whose derivative overflowed is no number, and says so
             time_error: time_error.optional(Field::number)?,
         });
     }
@@ -204,11 +207,13 @@ fn event_kind(
     }
 }
 
+/// The paths. `broken`: the run ended because a state was no number, so that states may be none.
 fn samples(
     text: &str,
     balls: &[String],
     index: &Index,
     events: &[Event],
+    broken: bool,
 ) -> Result<Vec<Path>, FileError> {
     let mut table = Table::open(SAMPLES, text, &SAMPLE_COLUMNS)?;
     let mut paths = vec![Path::default(); balls.len()];
@@ -217,8 +222,12 @@ fn samples(
         line = time.line;
         let i = ball.ball(balls, index)?;
         let knot = Knot {
-            time: time.number()?,
-            state: state_of(numbers(&state)?),
+            time: time.finite()?,
+            state: state_of(if broken {
+                numbers(&state)?
+            } else {
+                finite_numbers(&state)?
+            }),
             after: event.optional(Field::whole)?,
         };
         if let Some(after) = knot.after {
@@ -260,6 +269,18 @@ fn numbers(fields: &[Field; 9]) -> Result<[f64; 9], FileError> {
         *number = field.number()?;
     }
     Ok(numbers)
+}
+
+/// The numbers of a state in a run that did not end because they were none.
+fn finite_numbers(fields: &[Field; 9]) -> Result<[f64; 9], FileError> {
+    let numbers = numbers(fields)?;
+    match numbers.iter().position(|x| !x.is_finite()) {
+        None => Ok(numbers),
+        Some(at) => Err(fields[at].wrong(format!(
+            "`{}`: expected a finite number; only a run that ends as not-finite in {RUN} may hold others",
+            fields[at].text
+        ))),
+    }
 }
 
 fn state_of(n: [f64; 9]) -> State {
@@ -404,6 +425,25 @@ impl Field<'_> {
         self.text
             .parse()
             .map_err(|_| self.wrong(format!("`{}`: expected a number", self.text)))
+    }
+
+    /// A number that is one.
+    fn finite(&self) -> Result<f64, FileError> {
+        let x = self.number()?;
+        if x.is_finite() {
+            return Ok(x);
+        }
+        Err(self.wrong(format!("`{}`: expected a finite number", self.text)))
+    }
+
+    /// A size that may be without bound: a margin to nothing, a condition of what only touches.
+    fn measure(&self) -> Result<f64, FileError> {
+        let x = self.number()?;
+        if x >= 0.0 {
+            return Ok(x);
+        }
+        let expected = "expected a number, 0 or more, or inf";
+        Err(self.wrong(format!("`{}`: {expected}", self.text)))
     }
 
     fn whole<T: std::str::FromStr>(&self) -> Result<T, FileError> {

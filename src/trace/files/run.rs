@@ -14,12 +14,12 @@ struct RunFile {
     parameters: BTreeMap<String, serde_json::Value>,
     scene: String,
     scene_hash: String,
-    #[serde(with = "number")]
+    #[serde(with = "number::finite")]
     resolution: f64,
-    #[serde(with = "number")]
+    #[serde(with = "number::finite")]
     rest_speed: f64,
     ending: EndingEntry,
-    #[serde(with = "number")]
+    #[serde(with = "number::finite")]
     end_time: f64,
     #[serde(default)]
     counters: BTreeMap<String, u64>,
@@ -36,7 +36,7 @@ struct EndingEntry {
 
 #[derive(Serialize, Deserialize)]
 struct SpotEntry {
-    #[serde(with = "number")]
+    #[serde(with = "number::finite")]
     time: f64,
     balls: Vec<String>,
     why: String,
@@ -55,7 +55,7 @@ struct ExtremaEntry {
 struct ExtremumEntry {
     #[serde(with = "number")]
     value: f64,
-    #[serde(with = "number")]
+    #[serde(with = "number::finite")]
     time: f64,
     ball: Option<String>,
     other: Option<String>,

@@ -6,14 +6,14 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-fn carom(arguments: &[&str]) -> Output {
+pub fn carom(arguments: &[&str]) -> Output {
     Command::new(cargo_bin("carom"))
         .args(arguments)
         .output()
         .unwrap()
 }
 
-fn run(out: &Path, scene: &str, engine: &str, settings: &[&str]) {
+pub fn run(out: &Path, scene: &str, engine: &str, settings: &[&str]) {
     let fixed = [
         "run",
         scene,

@@ -1,10 +1,12 @@
 //! `carom check`: its levels, its baselines, the program, what pipelines read.
 
 mod baselines;
+mod columns;
 mod diff;
 mod levels;
 mod outputs;
 mod program;
+mod standing;
 
 use assert_cmd::cargo::cargo_bin;
 use std::path::Path;

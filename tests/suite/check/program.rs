@@ -74,7 +74,7 @@ fn what_was_accepted_is_held_in_both_directions() {
         // bits only inform
         (
             bits,
-            "# bits of stepper: 00".to_owned(),
+            "# bits of stepper: 0123456789abcdef".to_owned(),
             0,
             "1 the same physics in different bits",
         ),

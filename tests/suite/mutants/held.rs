@@ -44,6 +44,8 @@ fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
     let labels: Vec<String> = planned.iter().map(Column::label).collect();
     let rows = &mut baseline.rows;
     rows.retain(|row| row.engine == ORACLE || labels.contains(&row.engine));
+    // bits of columns that do not run would be those of engines that are no more
+    baseline.bits.retain(|(label, _)| labels.contains(label));
     for label in labels {
         let known = rows.iter().any(|row| row.engine == label);
         assert!(known, "{path} says nothing of {label}");

@@ -1,6 +1,7 @@
 //! `carom stability`: its rules on planted traces, its diff, the program, and what rapier is known to do.
 
 mod known;
+mod orphans;
 mod program;
 mod rules;
 

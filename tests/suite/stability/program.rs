@@ -12,24 +12,24 @@ use std::process::{Command, Output};
 /// A scene in which every engine takes a moment.
 const SCENE: &str = "thin-cut-1e-2";
 
-fn stability(folder: &Path, arguments: &[&str]) -> Output {
+pub fn stability(folder: &Path, arguments: &[&str]) -> Output {
     command(folder, arguments).output().unwrap()
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
+pub fn command(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(cargo_bin("carom"));
     command.arg("stability").args(arguments);
     command.arg("--accepted").arg(folder);
     command
 }
 
-fn accept(folder: &Path, scenes: &[&str]) {
+pub fn accept(folder: &Path, scenes: &[&str]) {
     let arguments = [scenes, &["--accept", "--reason", "for a test"]].concat();
     let output = stability(folder, &arguments);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
 }
 
-fn text(bytes: &[u8]) -> String {
+pub fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 

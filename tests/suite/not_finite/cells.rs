@@ -1,0 +1,187 @@
+//! Random cells of what is accepted, each set to what it is not: `check` and `stability` notice every one.
+//!
+//! The gate and the hard cases run once; each altered file is then held as the commands hold it.
+
+use carom::finding::Tolerance;
+use carom::gate::{self, Accepted, Held, hold_cases};
+use carom::math::random::Draws;
+use carom::scene::{Scene, catalogue};
+use carom::study::compare::default_columns;
+use carom::study::matrix::{Column, Watch};
+use carom::study::{check, stability};
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+/// Cells that are altered of either kind.
+const CELLS: usize = 60;
+
+/// What draws them.
+const SEED: u64 = 13;
+
+fn accepted(folder: &str, scene: &Scene) -> Accepted {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("validation")
+        .join(folder);
+    let path = folder.join(format!("{}.csv", scene.name));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
+    gate::read(&text).unwrap_or_else(|e| panic!("{path:?}: {e}"))
+}
+
+/// What a cell is set to, with a name for each; `None` where the value beside it is the same within its tolerance, so that another cell
+/// is drawn.
+fn alterations(
+    accepted: &Accepted,
+    row: usize,
+    tolerance: Tolerance,
+) -> Option<[(&'static str, f64); 6]> {
+    let value = accepted.rows[row].value?;
+    let beside = (1..accepted.rows.len())
+        .map(|step| (row + step) % accepted.rows.len())
+        .find_map(|at| accepted.rows[at].value)?;
+    let all = [
+        ("infinity", f64::INFINITY),
+        ("minus infinity", f64::NEG_INFINITY),
+        ("no number", f64::NAN),
+        ("nearly the largest", 1e308),
+        ("that of the next row", beside),
+        ("moved by 1 % and 1e-3", 1.01 * value + 1e-3),
+    ];
+    (!tolerance.holds(value, beside)).then_some(all)
+}
+
+/// Numbers below `n`, drawn.
+fn draw(draws: &mut Draws, n: usize) -> usize {
+    (draws.bits() % n as u64) as usize
+}
+
+#[test]
+fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
+    let scenes = catalogue::set("gate").unwrap();
+    let files: Vec<Accepted> = scenes.iter().map(|s| accepted("baselines", s)).collect();
+    let outcome = check::study(&scenes, &default_columns(), watch()).unwrap();
+    let hold = |files: &[Accepted]| {
+        let files = files.iter().cloned().map(Some).collect();
+        Held::new(outcome.clone(), files, Vec::new())
+    };
+    let held = hold(&files);
+    assert_eq!((held.changes.len(), held.standing().stale), (0, 0));
+    let mut draws = Draws::new(SEED, 0);
+    let mut drawn = BTreeSet::new();
+    while drawn.len() < CELLS {
+        let scene = draw(&mut draws, files.len());
+        let row = draw(&mut draws, files[scene].rows.len());
+        let own = files[scene].rows[row].clone();
+        let tolerance = outcome.tolerance(&own.engine, &own.check);
+        let Some(all) = alterations(&files[scene], row, tolerance) else {
+            continue;
+        };
+        if !drawn.insert((scene, row)) {
+            continue;
+        }
+        for (what, value) in all {
+            let mut altered = files.clone();
+            altered[scene].rows[row].value = Some(value);
+            // through the text, as the command reads it
+            altered[scene] = gate::read(&gate::write(&altered[scene])).unwrap();
+            let held = hold(&altered);
+            let name = &scenes[scene].name;
+            assert_eq!(held.changes.len(), 1, "{name} {own:?}: {what}");
+            assert_eq!(
+                held.changes[0].change.row().unwrap().address(),
+                own.address()
+            );
+            assert_eq!(held.standing().decision(), gate::Decision::NotMet, "{what}");
+        }
+        // and the other way round: the engine becomes what the file is not
+        for (what, value) in all {
+            let mut outcome = outcome.clone();
+            let mut findings = outcome.findings.iter_mut();
+            let finding = findings.find(|f| {
+                f.scene == scenes[scene].name
+                    && [&f.engine[..], f.metric, &f.subject] == own.address()
+            });
+            finding.unwrap().value = Some(value);
+            let accepted = files.iter().cloned().map(Some).collect();
+            let held = Held::new(outcome, accepted, Vec::new());
+            assert_eq!(held.changes.len(), 1, "{own:?} was found as {what}");
+        }
+    }
+}
+
+/// The presets whose matrices hold these runs.
+fn presets_of(labels: &BTreeSet<&str>) -> Vec<Column> {
+    let presets = stability::presets();
+    let own = |preset: &Column| {
+        let id = preset.engine.id();
+        labels
+            .iter()
+            .any(|label| label.split(' ').next() == Some(id))
+    };
+    presets.into_iter().filter(own).collect()
+}
+
+#[test]
+fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
+    let mut scenes = catalogue::set("hard").unwrap();
+    scenes.retain(|scene| !scene.sets.iter().any(|set| set == "full"));
+    let mut draws = Draws::new(SEED, 1);
+    let mut drawn = BTreeSet::new();
+    let mut seen = BTreeSet::new();
+    while drawn.len() < CELLS {
+        let scene = draw(&mut draws, scenes.len());
+        if !seen.insert(scene) {
+            continue;
+        }
+        let file = accepted("hard", &scenes[scene]);
+        // six cells of each scene that is drawn
+        let mut rows = BTreeSet::new();
+        let mut left = 1000;
+        while rows.len() < 6 && left > 0 {
+            left -= 1;
+            rows.insert(draw(&mut draws, file.rows.len()));
+            rows.retain(|row| file.rows[*row].value.is_some());
+        }
+        let labels = rows.iter().map(|row| &file.rows[*row].engine[..]);
+        let presets = presets_of(&labels.collect());
+        let question = stability::Question {
+            scenes: vec![scenes[scene].clone()],
+            presets,
+            full: false,
+            pictures: false,
+        };
+        let outcome = stability::study(question, watch()).unwrap();
+        let held = hold_cases(&outcome, 0, &file, true);
+        let name = &scenes[scene].name;
+        assert_eq!(held.changes, [], "{name}");
+        assert!(!held.stale && held.contradictions.is_empty(), "{name}");
+        for row in rows {
+            let own = &file.rows[row];
+            let tolerance = outcome.tolerance(&own.engine, &own.check);
+            let Some(all) = alterations(&file, row, tolerance) else {
+                continue;
+            };
+            for (what, value) in all {
+                let mut altered = file.clone();
+                altered.rows[row].value = Some(value);
+                let altered = gate::read(&gate::write(&altered)).unwrap();
+                let held = hold_cases(&outcome, 0, &altered, true);
+                assert_eq!(held.changes.len(), 1, "{name} {own:?}: {what}");
+                assert_eq!(held.changes[0].row().unwrap().address(), own.address());
+            }
+            if drawn.len() < CELLS {
+                drawn.insert((scene, row));
+            }
+        }
+    }
+    assert_eq!(drawn.len(), CELLS);
+}
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+fn watch() -> Watch<'static> {
+    Watch {
+        progress: &|_, _, _| {},
+        cancelled: &NEVER,
+    }
+}
