@@ -27,8 +27,7 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
         progress: &show,
         cancelled: terminal::cancelled(),
     };
-    let outcome = cost::study(&scene, &named, grid, watch)
-        .map_err(|refusal| Failure::Message(refusal.to_string()))?;
+    let outcome = cost::study(&scene, &named, grid, watch);
     drop(progress);
     let folder = folder(&arguments.out, &scene.name);
     // everything for programs, what a reader can take in for a terminal
@@ -43,7 +42,7 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
         || cost::page(&outcome),
         Some(&folder),
     );
-    if !outcome.cancelled {
+    if !outcome.stopped {
         let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
             .map_err(|error| Failure::Message(error.to_string()))?;
         output::write_file(&folder.join(PRICES), list.as_bytes())?;

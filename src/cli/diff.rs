@@ -1,12 +1,13 @@
 //! `carom diff`: what of two result folders is not the same.
 
 use super::arguments::DiffArguments;
-use super::{Failure, NOT_MET, publish, scene};
+use super::exit::Exit;
+use super::{Failure, publish, scene};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
 use crate::study::check::{between, tolerance, ulp_of};
-use crate::trace::{Trace, files};
+use crate::trace::{Ending, Trace, files};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -43,6 +44,7 @@ pub fn diff(arguments: &DiffArguments) -> Result<ExitCode, Failure> {
         blocks.push(Block::Table(gate::changes_table(&changes, MOST_CHANGES)));
     }
     let document = Document {
+        stopped_early: None,
         id: "diff".to_owned(),
         title: format!("{} against {}", second.display(), first.display()),
         lead: format!("Beyond tolerance: {sentence}."),
@@ -53,7 +55,7 @@ pub fn diff(arguments: &DiffArguments) -> Result<ExitCode, Failure> {
     Ok(if changes.is_empty() {
         printed
     } else {
-        ExitCode::from(NOT_MET)
+        Exit::NotMet.into()
     })
 }
 
@@ -74,6 +76,13 @@ fn read(folder: &Path) -> Result<Results, Failure> {
             run: text(files::RUN)?,
         };
         let trace = files::read(&four).map_err(|error| cannot_read(folder, &error))?;
+        if trace.ending == Ending::Cancelled {
+            return Err(Failure::Message(format!(
+                "{} holds a run that was stopped early, at {} s: it is no whole run to compare; run it again",
+                folder.display(),
+                trace.end_time
+            )));
+        }
         return Ok(Results::Trace(Box::new(trace)));
     }
     let entries = fs::read_dir(folder).map_err(|error| cannot_read(folder, &error))?;

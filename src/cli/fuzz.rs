@@ -1,15 +1,13 @@
 //! `carom fuzz`: random scenes and mutated inputs, and what they break.
 
 use super::arguments::{FuzzArguments, parse_engines};
+use super::exit::Exit;
 use super::{Failure, output, publish, terminal};
 use crate::engine::Limits;
 use crate::finding::Document;
 use crate::study::mutation::{Examples, Input};
 use crate::study::{Watch, mutation, random};
 use std::process::ExitCode;
-
-/// Something was found.
-const FOUND: u8 = 1;
 
 /// Scenes unless told otherwise.
 const SCENES: u64 = 10_000;
@@ -41,8 +39,9 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
         output::write_files(folder, shown)?;
     }
     let printed = publish(&document, &arguments.format, || document.clone(), None)?;
-    Ok(if found {
-        ExitCode::from(FOUND)
+    // what was stopped says so first, whatever it had found
+    Ok(if found && document.stopped_early.is_none() {
+        Exit::NotMet.into()
     } else {
         printed
     })

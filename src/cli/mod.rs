@@ -1,6 +1,6 @@
-//! The only place for arguments, environment, terminal, paths and Ctrl-C.
+//! The only place for arguments, environment, terminal, paths, Ctrl-C and SIGTERM.
 //!
-//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 something that must hold does not, 2 it could not run.
+//! Results go to stdout, everything else to stderr. Exit codes: [`exit::Exit`].
 
 mod accepted;
 mod arguments;
@@ -11,6 +11,7 @@ mod diff;
 mod effects;
 mod engines;
 mod ensemble;
+pub mod exit;
 mod fuzz;
 mod horizon;
 mod output;
@@ -25,14 +26,10 @@ mod versions;
 use crate::finding::Document;
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
+use exit::Exit;
 use std::path::Path;
 use std::process::ExitCode;
-
-/// It ran, and what was expected of it is not so.
-const NOT_MET: u8 = 1;
-
-/// It could not run: bad usage, bad scene, a file that cannot be written.
-const COULD_NOT_RUN: u8 = 2;
+use std::sync::atomic::Ordering;
 
 /// Why a command could not run, as shown after `error:`, or a message that is already rendered.
 #[derive(Debug)]
@@ -63,15 +60,15 @@ impl From<output::OutputError> for Failure {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
+    terminal::listen();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
             // clap's own code for usage errors is 2, for --help and --version 0
-            let code = u8::try_from(error.exit_code()).unwrap_or(COULD_NOT_RUN);
-            return if error.print().is_ok() {
-                ExitCode::from(code)
-            } else {
-                ExitCode::from(COULD_NOT_RUN)
+            let help = error.exit_code() == 0;
+            return match error.print() {
+                Ok(()) if help => Exit::Finished.into(),
+                _ => Exit::CouldNotRun.into(),
             };
         }
     };
@@ -79,11 +76,11 @@ pub fn main() -> ExitCode {
         Ok(code) => code,
         Err(Failure::Message(message)) => {
             terminal::say(&format!("error: {message}"));
-            ExitCode::from(COULD_NOT_RUN)
+            Exit::CouldNotRun.into()
         }
         Err(Failure::Rendered(text)) => {
             terminal::say(&text);
-            ExitCode::from(COULD_NOT_RUN)
+            Exit::CouldNotRun.into()
         }
     }
 }
@@ -95,14 +92,69 @@ fn publish(
     page: impl FnOnce() -> Document,
     folder: Option<&Path>,
 ) -> Result<ExitCode, Failure> {
-    if let Some(folder) = folder {
-        output::write_files(folder, crate::report::site(&page()))?;
-    }
-    let printed = terminal::print(&crate::report::render(summary, format).unwrap_or_default());
-    if let Some(folder) = folder {
+    let Some(folder) = folder else {
+        return terminal::show(summary, format);
+    };
+    let site = write_site(summary, page, folder)?;
+    let shown = Document {
+        stopped_early: site.stopped_early.clone(),
+        ..summary.clone()
+    };
+    let printed = terminal::show(&shown, format);
+    if site.is_whole() {
         terminal::say(&format!("Page: {}", folder.join("index.html").display()));
     }
     printed
+}
+
+/// What was written of a page and those below it.
+struct Written {
+    /// Every file, in the order in which they are written.
+    files: Vec<(String, String)>,
+    /// How many of them were.
+    written: usize,
+    /// What stands before everything else that is printed: the study's own words, or that writing was stopped.
+    stopped_early: Option<String>,
+}
+
+impl Written {
+    fn is_whole(&self) -> bool {
+        self.written > 0 && self.written == self.files.len()
+    }
+}
+
+/// Makes a page and writes it. Of a study that ran to its end the rest of the files is left out when the user asks to stop; one
+/// that was stopped is written as it is, for that was asked before.
+fn write_site(
+    summary: &Document,
+    page: impl FnOnce() -> Document,
+    folder: &Path,
+) -> Result<Written, Failure> {
+    let cancelled = terminal::cancelled();
+    let enough = || summary.stopped_early.is_none() && cancelled.load(Ordering::Relaxed);
+    let mut site = Written {
+        files: Vec::new(),
+        written: 0,
+        stopped_early: summary.stopped_early.clone(),
+    };
+    if !enough() {
+        let page = page();
+        if !enough() {
+            site.files = crate::report::site(&page);
+        }
+    }
+    let files = site.files.iter().map(|(name, content)| (name, content));
+    site.written = output::write_files_until(folder, files, enough)?;
+    if !site.is_whole() {
+        site.stopped_early = Some(match site.written {
+            0 => "This was stopped early: everything was run, and no page was written.".to_owned(),
+            some => format!(
+                "This was stopped early: everything was run, and {some} of {} files of the page were written.",
+                site.files.len()
+            ),
+        });
+    }
+    Ok(site)
 }
 
 fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {

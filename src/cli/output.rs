@@ -3,8 +3,26 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::Builder;
 use thiserror::Error;
+
+/// The temporary file that is being written.
+static PART: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+fn part() -> MutexGuard<'static, Option<PathBuf>> {
+    PART.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Takes away the file that is being written, if one is; while the answer is held, no other is begun and none gets its name.
+pub fn abandon() -> impl Drop {
+    let mut part = part();
+    if let Some(path) = part.take() {
+        // there is nobody left to tell
+        fs::remove_file(path).ok();
+    }
+    part
+}
 
 /// Why a file could not be written. Files written before it stay.
 #[derive(Debug, Error)]
@@ -42,8 +60,21 @@ pub fn write_files<N: AsRef<str>, C: AsRef<[u8]>>(
     folder: &Path,
     files: impl IntoIterator<Item = (N, C)>,
 ) -> Result<(), OutputError> {
+    write_files_until(folder, files, || false).map(|_| ())
+}
+
+/// The same until `enough`, which is asked before each file. Answers how many were written.
+pub fn write_files_until<N: AsRef<str>, C: AsRef<[u8]>>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (N, C)>,
+    enough: impl Fn() -> bool,
+) -> Result<usize, OutputError> {
     make_folder(folder)?;
+    let mut written = 0;
     for (name, content) in files {
+        if enough() {
+            break;
+        }
         let name = Path::new(name.as_ref());
         let inside = name
             .components()
@@ -52,8 +83,9 @@ pub fn write_files<N: AsRef<str>, C: AsRef<[u8]>>(
             return Err(OutputError::Outside { path: name.into() });
         }
         write_file(&folder.join(name), content.as_ref())?;
+        written += 1;
     }
-    Ok(())
+    Ok(written)
 }
 
 /// Writes one file, making its folder as needed: to a temporary name beside it, then to disk, then renamed.
@@ -84,10 +116,21 @@ fn replace(folder: &Path, path: &Path, content: &[u8]) -> io::Result<()> {
     let permissions = std::os::unix::fs::PermissionsExt::from_mode(0o666);
     #[cfg(unix)]
     builder.permissions(permissions);
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(content)?;
-    file.as_file().sync_all()?;
+    let mut file = {
+        let mut part = part();
+        let file = builder.tempfile_in(folder)?;
+        *part = Some(file.path().to_owned());
+        file
+    };
+    let written = file
+        .write_all(content)
+        .and_then(|()| file.as_file().sync_all());
+    // from here on it has its name or none
+    let mut part = part();
+    *part = None;
+    written?;
     file.persist(path).map_err(|error| error.error)?;
+    drop(part);
     // the rename is on disk only when the folder is; not every file system can say so, and the file itself is complete
     #[cfg(unix)]
     fs::File::open(folder)

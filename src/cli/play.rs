@@ -1,6 +1,7 @@
 //! `carom play`: the live page on this machine. Sockets, threads and clocks of it are here, what it says is in `web`.
 
 use super::arguments::PlayArguments;
+use super::exit::Exit;
 use super::{Failure, scene, terminal};
 use crate::web::{self, Problem, Request, Response, Site, Turn, Turns, Unread};
 use std::io::{self, ErrorKind, Read, Write};
@@ -34,7 +35,7 @@ const LOOK: Duration = Duration::from_millis(25);
 /// Most bytes that are read and thrown away so that a refusal arrives: a socket closed with bytes unread takes back what was sent.
 const THROWN_AWAY: usize = 1024 * 1024;
 
-/// Serves the page until Ctrl-C.
+/// Serves the page until Ctrl-C or SIGTERM.
 pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
     let start = scene::text(&arguments.scene)?;
     let listener = listen(arguments.port)?;
@@ -59,7 +60,8 @@ pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
     while !cancelled.load(Ordering::Relaxed) {
         thread::sleep(LOOK);
     }
-    Ok(ExitCode::SUCCESS)
+    // a server that its user stopped has finished
+    Ok(Exit::Finished.into())
 }
 
 /// A socket on this machine alone.

@@ -1,8 +1,8 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
-use super::{COULD_NOT_RUN, Failure, terminal};
+use super::exit::Exit;
+use super::{Failure, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::report;
 use crate::scene::generate::{Recipe, generate};
 use crate::scene::{Scene, SceneError, catalogue, is_kebab_case, parse_bytes, printable, schema};
 use clap::{Args, Subcommand};
@@ -109,9 +109,7 @@ impl LoadError {
 /// Does one of the commands below `carom scene`.
 pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
     match command {
-        SceneCommand::List => {
-            terminal::print(&report::render(&list_document()?, &format).unwrap_or_default())
-        }
+        SceneCommand::List => terminal::show(&list_document()?, &format),
         SceneCommand::Show { name } => terminal::print(show(name)?),
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
@@ -127,7 +125,7 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
                 return Ok(printed);
             }
             terminal::say(String::from_utf8_lossy(&err).trim_end());
-            Ok(ExitCode::from(COULD_NOT_RUN))
+            Ok(Exit::CouldNotRun.into())
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::spin::Moving;
 use super::tangent::{Replay, Rough, Script};
+use crate::engine::Limits;
 use crate::math::{Dual, Real};
 use crate::physics::{Contact, Cushion, Pockets};
 use crate::scene::Scene;
@@ -43,6 +44,16 @@ impl Growth {
 ///
 /// `whole`: at every event; else only after the last one.
 pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
+    growth_within(scene, trace, whole, &Limits::NONE)
+}
+
+/// The same; `None` also where the user asked to stop, for every event of a long run takes its time.
+pub fn growth_within(
+    scene: &Scene,
+    trace: &Trace,
+    whole: bool,
+    limits: &Limits<'_>,
+) -> Option<Growth> {
     let balls = scene.balls.len();
     if balls > MOST_BALLS {
         return None;
@@ -87,6 +98,9 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
         .collect();
     let mut growth = Growth::default();
     for (index, event) in trace.events.iter().enumerate() {
+        if limits.is_cancelled() {
+            return None;
+        }
         for replay in &mut batches {
             if let Some(Err(Rough { index })) = replay.step() {
                 growth.rough = Some(index);
@@ -212,8 +226,9 @@ impl Influence {
 
 /// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
 ///
-/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for.
-pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
+/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for; and where
+/// the user asked to stop.
+pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>) -> Vec<Influence> {
     if !trace.ending.is_complete() && until > trace.end_time {
         return Vec::new();
     }
@@ -246,7 +261,7 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
     replay.restitution =
         [Input::BallRestitution, Input::CushionRestitution].map(|e| seeded(e, 1.0));
     for _ in trace.events.iter().take_while(|event| event.time < until) {
-        if !matches!(replay.step(), Some(Ok(_))) {
+        if limits.is_cancelled() || !matches!(replay.step(), Some(Ok(_))) {
             return Vec::new();
         }
     }

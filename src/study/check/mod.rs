@@ -20,6 +20,7 @@ pub use page::{bounds, page, summary};
 pub use pair::{between, ulp_of};
 pub use promises::Broken;
 
+use super::Extent;
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
 use super::stability::{Oracle, ask_oracles};
@@ -103,6 +104,8 @@ pub struct Outcome {
     pub cases: Vec<Case>,
     /// Promises that do not hold.
     pub broken: Vec<Broken>,
+    /// Tasks that were done, of those that had to be; fewer only if the user asked to stop.
+    pub extent: Extent,
     /// Scene, engine and digest of events and final states: the same digest means the same bits.
     pub bits: Vec<(String, String, String)>,
     /// Rounding of the scalar of each engine, by label.
@@ -198,6 +201,10 @@ fn conclude(
         findings: Vec::new(),
         cases: Vec::new(),
         broken: Vec::new(),
+        extent: Extent::of(
+            answers.iter().flatten().count() as u64,
+            answers.len() as u64,
+        ),
         bits: Vec::new(),
         ulps: BTreeMap::new(),
     };
@@ -296,6 +303,11 @@ impl Outcome {
                 case.state = State::Ran;
             }
         }
+    }
+
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        self.extent.stopped_early("tasks of the check were done")
     }
 
     /// Cases that did not run to their end.
