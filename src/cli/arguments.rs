@@ -35,8 +35,8 @@ pub enum Command {
     /// What accuracy costs in one scene: errors and times of every engine along its ladders of settings, and the cheapest setting for
     /// each error.
     ///
-    /// Ctrl-C stops it early: it says what was run and timed, and leaves open which setting is the cheapest. What is timed runs alone; a machine that does something else is seen in the
-    /// column `noise`.
+    /// Ctrl-C stops it early: it says what was run and timed, and leaves open which setting is the cheapest. What is timed runs alone; a
+    /// machine that does something else is seen in the column `noise`.
     Cost(CostArguments),
     /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
     Horizon(HorizonArguments),

@@ -143,8 +143,11 @@ fn write_site(
             site.files = crate::report::site(&page);
         }
     }
-    let files = site.files.iter().map(|(name, content)| (name, content));
-    site.written = output::write_files_until(folder, files, enough)?;
+    // nothing to write, not even the folder
+    if !site.files.is_empty() {
+        let files = site.files.iter().map(|(name, content)| (name, content));
+        site.written = output::write_files_until(folder, files, enough)?;
+    }
     if !site.is_whole() {
         site.stopped_early = Some(match site.written {
             0 => "This was stopped early: everything was run, and no page was written.".to_owned(),

@@ -397,7 +397,7 @@ fn a_cancelled_ensemble_concludes_from_what_it_has_and_says_so() {
     for entry in &outcome.entries {
         assert_eq!(entry.cells.iter().flatten().count(), outcome.done);
     }
-    let words = format!("Cancelled: {} of {samples} samples", outcome.done);
+    let words = format!("stopped early: {} of {samples} samples", outcome.done);
     let text = render(&summary(&outcome), "text").unwrap();
     assert!(text.contains(&words), "{text}");
 }

@@ -5,7 +5,7 @@
 //! it the order of events, and with it everything else, is decided by rounding.
 
 use super::certainty::certify;
-use super::sensitivity::{Growth, growth_within};
+use super::sensitivity::{Growth, growth};
 use super::solution::{Solution, solve};
 use super::{Exact, Precision};
 use crate::engine::{Engine, Limits};
@@ -102,7 +102,7 @@ pub fn horizon(
         Precision::F256 | Precision::Auto => return None,
     };
     horizon.trace.provenance.engine = Exact.id().to_owned();
-    horizon.growth = growth_within(scene, &horizon.trace, whole_growth, limits);
+    horizon.growth = growth(scene, &horizon.trace, whole_growth);
     Some(horizon)
 }
 

@@ -44,16 +44,6 @@ impl Growth {
 ///
 /// `whole`: at every event; else only after the last one.
 pub fn growth(scene: &Scene, trace: &Trace, whole: bool) -> Option<Growth> {
-    growth_within(scene, trace, whole, &Limits::NONE)
-}
-
-/// The same; `None` also where the user asked to stop, for every event of a long run takes its time.
-pub fn growth_within(
-    scene: &Scene,
-    trace: &Trace,
-    whole: bool,
-    limits: &Limits<'_>,
-) -> Option<Growth> {
     let balls = scene.balls.len();
     if balls > MOST_BALLS {
         return None;
@@ -98,9 +88,6 @@ pub fn growth_within(
         .collect();
     let mut growth = Growth::default();
     for (index, event) in trace.events.iter().enumerate() {
-        if limits.is_cancelled() {
-            return None;
-        }
         for replay in &mut batches {
             if let Some(Err(Rough { index })) = replay.step() {
                 growth.rough = Some(index);

@@ -11,6 +11,8 @@ const SHOWN: usize = 40;
 pub fn summary(outcome: &Outcome) -> Document {
     let plan = &outcome.plan;
     let done = outcome.done();
+    // no index is beyond the largest number
+    let planned = plan.first.saturating_add(plan.inputs) - plan.first;
     let lead = match outcome.faults {
         0 => format!("{done} mutated inputs were read or refused as they should be."),
         n => format!("{n} faults in {done} mutated inputs."),
@@ -29,7 +31,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     )));
     Document {
         id: "mutated-inputs".to_owned(),
-        stopped_early: Extent::of(done, plan.inputs).stopped_early("inputs were read"),
+        stopped_early: Extent::of(done, planned).stopped_early("inputs were read"),
         title: "Mutated inputs".to_owned(),
         lead,
         blocks,

@@ -160,7 +160,10 @@ pub fn judge(
 impl Outcome {
     /// What stands before everything else where the user asked to stop before it was done.
     pub fn stopped_early(&self) -> Option<String> {
-        Extent::of(self.seen, self.plan.scenes).stopped_early("scenes were run in every engine")
+        // no index is beyond the largest number
+        let plan = &self.plan;
+        let planned = plan.first.saturating_add(plan.scenes) - plan.first;
+        Extent::of(self.seen, planned).stopped_early("scenes were run in every engine")
     }
 
     fn empty(plan: &Plan) -> Self {
