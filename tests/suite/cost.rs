@@ -10,7 +10,6 @@ use carom::study::cost::{
     page, study, summary,
 };
 use carom::study::{Column, Watch};
-use std::path::Path;
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 

@@ -443,7 +443,7 @@ fn a_comparison_shows_the_ensemble_where_the_scene_asks_for_one_and_nowhere_else
         let columns = compare::plan(&columns(&[("stepper", "dt=1e-2")]));
         let outcome = compare::study(&scene, None, &columns, Timing::None, watch());
         let mut document = compare::summary(&outcome, compare::LengthUnit::Radius);
-        let blocks = surroundings(&outcome, watch());
+        let (blocks, _) = surroundings(&outcome, watch());
         let count = blocks.len();
         surround(&mut document, blocks);
         (document, count)

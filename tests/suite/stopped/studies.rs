@@ -9,8 +9,8 @@ use carom::study::compare::{LengthUnit, default_columns};
 use carom::study::cost::Grid;
 use carom::study::matrix::{Effort, run_one, run_row, time_alone};
 use carom::study::{
-    Answer, Column, Timing, check, compare, cost, curves, effects, ensemble, horizon, mutation,
-    random, stability, validation,
+    Answer, Column, Timing, Watch, check, compare, cost, curves, effects, ensemble, horizon,
+    mutation, random, stability, validation,
 };
 use carom::trace::Record;
 use std::collections::BTreeMap;
@@ -80,7 +80,8 @@ fn all_among(found: &[Finding], whole: &[Finding], case: &str) {
 fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
     let scene = scene("head-on");
     // alone, so that the engines run one after the other
-    let ask = |watch| compare::study(&scene, None, &default_columns(), Timing::Alone, watch);
+    let ask =
+        |watch: Watch<'_>| compare::study(&scene, None, &default_columns(), Timing::Alone, watch);
     let whole = undisturbed(ask);
     let all = whole.entries.len();
     says_so(
@@ -122,7 +123,7 @@ fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
 fn an_ensemble_around_a_comparison_is_whole_or_not_there() {
     let scene = scene("triple-hit-ensemble");
     assert!(scene.simultaneous == carom::scene::Simultaneous::Ensemble);
-    let ask = |watch| {
+    let ask = |watch: Watch<'_>| {
         let columns = columns("exact");
         let answer = Answer::to(&scene, &columns, Timing::None, 10_000, watch);
         answer.unwrap().summary(LengthUnit::Radius)
@@ -155,7 +156,7 @@ fn a_horizon_that_was_stopped_says_nothing_else() {
 fn an_ensemble_counts_only_samples_that_every_engine_ran() {
     let scene = scene("head-on");
     let samples = 400;
-    let ask = |watch| {
+    let ask = |watch: Watch<'_>| {
         let plan = ensemble::Plan {
             law: Law::default_for(&scene),
             scene: scene.clone(),
@@ -207,7 +208,7 @@ fn an_ensemble_counts_only_samples_that_every_engine_ran() {
 fn an_ablation_concludes_from_combinations_that_every_engine_ran() {
     let scene = scene("draw");
     let list = columns("exact,stepper:contact=approaching-only");
-    let ask = |watch| effects::study(&scene, &list, 0.1, watch).unwrap();
+    let ask = |watch: Watch<'_>| effects::study(&scene, &list, 0.1, watch).unwrap();
     let whole = undisturbed(ask);
     says_so(&effects::summary(&whole), false, "whole");
     let rows = whole.plan.rows.len();
@@ -227,7 +228,7 @@ fn an_ablation_concludes_from_combinations_that_every_engine_ran() {
 #[test]
 fn curves_are_whole_or_not_there() {
     let list = columns("exact");
-    let ask = |watch| curves::study(&list, watch).unwrap();
+    let ask = |watch: Watch<'_>| curves::study(&list, watch).unwrap();
     let whole = undisturbed(ask);
     says_so(&whole, false, "whole");
     for k in 0..=4 {
@@ -248,7 +249,7 @@ fn curves_are_whole_or_not_there() {
 fn cost_judges_only_ladders_that_were_run_from_every_start() {
     let scene = scene("head-on");
     let named = columns("exact,stepper");
-    let ask = |watch| cost::study(&scene, &named, Grid::Small, watch);
+    let ask = |watch: Watch<'_>| cost::study(&scene, &named, Grid::Small, watch);
     let whole = undisturbed(ask);
     says_so(&cost::page(&whole), false, "whole");
     assert!(!whole.stopped && whole.families.iter().all(|m| m.whole));
@@ -294,7 +295,7 @@ fn random_scenes_count_where_every_engine_ran_them() {
         columns: columns("exact,stepper:contact=approaching-only"),
         max_events: 100,
     };
-    let ask = |watch| random::study(plan.clone(), watch);
+    let ask = |watch: Watch<'_>| random::study(plan.clone(), watch);
     let whole = undisturbed(ask);
     assert_eq!((whole.seen, whole.stopped_early()), (640, None));
     for k in [0, 1, 4, 9] {
@@ -319,7 +320,7 @@ fn mutated_inputs_count_once_they_were_read() {
         inputs: 640,
         seed: 5,
     };
-    let ask = |watch| mutation::summary(&mutation::study(plan, &examples, watch));
+    let ask = |watch: Watch<'_>| mutation::summary(&mutation::study(plan, &examples, watch));
     for k in [0, 1, 4, 9, 10] {
         says_so(&stopped_after(k, ask), k < 10, &format!("{k}"));
     }
@@ -327,7 +328,7 @@ fn mutated_inputs_count_once_they_were_read() {
 
 #[test]
 fn hard_cases_are_judged_by_whole_runs() {
-    let ask = |watch| {
+    let ask = |watch: Watch<'_>| {
         let question = stability::Question {
             scenes: vec![scene("head-on"), scene("slide")],
             presets: columns("exact,stepper"),
@@ -353,7 +354,7 @@ fn hard_cases_are_judged_by_whole_runs() {
 #[test]
 fn a_check_finds_what_whole_runs_say() {
     let scenes = [scene("head-on"), scene("slide")];
-    let ask = |watch| check::study(&scenes, &default_columns(), watch);
+    let ask = |watch: Watch<'_>| check::study(&scenes, &default_columns(), watch);
     let whole = undisturbed(ask);
     let none = |_: &str, _: &str, _: check::Level| 0;
     says_so(&check::summary(&whole, &none), false, "whole");
@@ -373,7 +374,7 @@ fn a_check_finds_what_whole_runs_say() {
 fn a_report_has_the_scenes_that_were_compared_to_the_end() {
     let scenes = [scene("head-on"), scene("slide"), scene("three-ball")];
     let list = columns("exact,stepper");
-    let ask = |watch| validation::study(&scenes, &list, &[], watch).unwrap();
+    let ask = |watch: Watch<'_>| validation::study(&scenes, &list, &[], watch).unwrap();
     // it is told which scene comes next, then that the claims do
     for k in 0..=4 {
         let case = format!("stopped after {k}");
