@@ -3,7 +3,7 @@
 use super::arguments::{StabilityArguments, parse_engines};
 use super::exit::Exit;
 use super::{Failure, accepted, output, publish, terminal, versions};
-use crate::finding::{Block, Document};
+use crate::finding::{Block, Document, Verdict};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, catalogue};
 use crate::study::Watch;
@@ -132,10 +132,16 @@ impl Held {
             .filter(|row| case(row).map_or(!some, |case| case.judged.is_some()))
             .cloned()
             .collect();
-        let found: Vec<Row> = self.outcome.findings(index).iter().map(Row::from).collect();
+        // an engine that refuses the scene, and of which nothing was ever accepted, is shown and holds nothing
+        let refused = |row: &Row| {
+            let judged = case(row).and_then(|case| case.judged.as_ref());
+            let cannot = judged.is_some_and(|j| j.verdict == Verdict::CannotExpress);
+            cannot && !old.iter().any(|known| known.engine == row.engine)
+        };
+        let found = self.outcome.findings(index);
+        let found = found.iter().map(Row::from).filter(|row| !refused(row));
         let only_full = |row: &Row| case(row).is_some_and(|case| case.planned.reach == Reach::Full);
         let (new, held): (Vec<Row>, Vec<Row>) = found
-            .into_iter()
             .partition(|row| only_full(row) && !old.iter().any(|known| known.engine == row.engine));
         let changes = gate::diff(&old, &held, |row| {
             self.outcome.tolerance(&row.engine, &row.check)

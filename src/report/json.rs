@@ -1,8 +1,8 @@
 //! JSON: one document with the same content, every digit, one table row and one curve a line.
 //!
-//! `stopped_early` is there, before everything else, only where the user asked to stop before it had finished. `blocks` gives the order of a page and refers to its `tables` and `figures` by id; a table's rows are objects keyed by
-//! column, with its units beside them. There is no NaN in JSON: a number that is none is the text `"NaN"`, `"inf"` or
-//! `"-inf"`, and a missing one is `null`.
+//! `stopped_early` is there, before everything else, only where the user asked to stop before it had finished. `blocks` gives the
+//! order of a page and refers to its `tables` and `figures` by id; a table's rows are objects keyed by column, with its units beside
+//! them. There is no NaN in JSON: a number that is none is the text `"NaN"`, `"inf"` or `"-inf"`, and a missing one is `null`.
 
 use super::cell::{Exact, exact_columns};
 use crate::finding::{Axis, Block, Document, Figure, Replay, Table};

@@ -180,6 +180,7 @@ pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> O
         |_| {},
         |_, ran| ran,
     ));
+    let stopped = believed.is_none() || base.is_none();
     let (base, no_oracle) = match base {
         None => (
             None,
@@ -225,7 +226,7 @@ pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> O
         done: AtomicU64::new(0),
         planned: planned.sum(),
         watch,
-        stopped: believed.is_none(),
+        stopped,
     };
     runs.fill(&mut outcome, families);
     outcome

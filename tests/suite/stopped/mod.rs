@@ -26,7 +26,20 @@ fn stopped_after<T>(k: usize, work: impl FnOnce(Watch<'_>) -> T) -> T {
     })
 }
 
-/// The same with a user who never asks.
+/// How often progress is told while `work` runs to its end.
+fn moments<T>(work: impl FnOnce(Watch<'_>) -> T) -> usize {
+    let (never, told) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let progress = |_: usize, _: usize, _: &str| {
+        told.fetch_add(1, Ordering::Relaxed);
+    };
+    work(Watch {
+        progress: &progress,
+        cancelled: &never,
+    });
+    told.into_inner()
+}
+
+/// What `work` makes of a watch whose user never asks to stop.
 fn undisturbed<T>(work: impl FnOnce(Watch<'_>) -> T) -> T {
     stopped_after(usize::MAX, work)
 }

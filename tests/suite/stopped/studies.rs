@@ -1,6 +1,6 @@
 //! Each study, stopped at several moments that progress names: what it says is part of what the whole study says.
 
-use super::{STOPPED, stopped_after, undisturbed};
+use super::{STOPPED, moments, stopped_after, undisturbed};
 use carom::engine::{Limits, Refusal};
 use carom::finding::{Block, Document, Finding};
 use carom::scene::perturb::Law;
@@ -79,9 +79,9 @@ fn all_among(found: &[Finding], whole: &[Finding], case: &str) {
 #[test]
 fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
     let scene = scene("head-on");
-    // alone, so that the engines run one after the other
-    let ask =
-        |watch: Watch<'_>| compare::study(&scene, None, &default_columns(), Timing::Alone, watch);
+    // the exact one first, and each alone, so that they run one after the other
+    let list = compare::plan(&default_columns());
+    let ask = |watch: Watch<'_>| compare::study(&scene, None, &list, Timing::Alone, watch);
     let whole = undisturbed(ask);
     let all = whole.entries.len();
     says_so(
@@ -254,8 +254,11 @@ fn cost_judges_only_ladders_that_were_run_from_every_start() {
     says_so(&cost::page(&whole), false, "whole");
     assert!(!whole.stopped && whole.families.iter().all(|m| m.whole));
     let (mut judged, mut cut) = (0, 0);
-    for k in [0, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89] {
-        let case = format!("stopped after {k}");
+    // errors first, then causes, then times
+    let all = moments(ask);
+    for part in 0..10 {
+        let k = all * part / 10;
+        let case = format!("stopped after {k} of {all}");
         let outcome = stopped_after(k, ask);
         says_so(&cost::summary(&outcome), outcome.stopped, &case);
         says_so(&cost::page(&outcome), outcome.stopped, &case);
@@ -363,8 +366,8 @@ fn a_check_finds_what_whole_runs_say() {
         let outcome = stopped_after(k, ask);
         assert!(outcome.missing() > 0, "{case}");
         all_among(&outcome.findings, &whole.findings, &case);
-        let document = check::page(&outcome, &none);
-        says_so(&document, true, &case);
+        says_so(&check::page(&outcome, &none), true, &case);
+        let document = check::summary(&outcome, &none);
         let text = carom::report::render(&document, "text").unwrap();
         assert!(!text.contains("same"), "{case}: {text}");
     }
