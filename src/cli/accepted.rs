@@ -1,6 +1,7 @@
 //! Accepted findings as files: what `check` and `stability` do alike with them.
 
-use super::{COULD_NOT_RUN, Failure, NOT_MET, output, scene, terminal};
+use super::exit::Exit;
+use super::{Failure, output, scene, terminal};
 use crate::gate::{self, Accepted, Refused};
 use crate::scene::Scene;
 use std::fs;
@@ -76,10 +77,20 @@ fn read_one(file: &Path, command: &str) -> Result<Option<Accepted>, Failure> {
 /// Says why nothing is accepted.
 pub fn refuse(refused: &Refused) -> ExitCode {
     terminal::say(&format!("error: {refused}"));
-    ExitCode::from(match refused {
-        Refused::CutShort => COULD_NOT_RUN,
-        _ => NOT_MET,
-    })
+    let exit = match refused {
+        Refused::CutShort => Exit::CouldNotRun,
+        _ => Exit::NotMet,
+    };
+    exit.into()
+}
+
+/// Whether a command was stopped early, by what printing answered; says that nothing is accepted if that was asked for.
+pub fn was_stopped(printed: ExitCode, reason: Option<&str>) -> bool {
+    let stopped = printed == ExitCode::from(Exit::StoppedEarly);
+    if stopped && reason.is_some() {
+        terminal::say("Nothing is accepted: it was stopped early.");
+    }
+    stopped
 }
 
 /// Says that the findings are not as accepted, and what to do if they are right.
@@ -87,7 +98,7 @@ pub fn not_met(command: &str) -> ExitCode {
     terminal::say(&format!(
         "Not as accepted. If it is right: `{command} --accept --reason \"...\"`."
     ));
-    ExitCode::from(NOT_MET)
+    Exit::NotMet.into()
 }
 
 /// Writes the files that changed, all of them by this writer, and says how many they are. `files`: those that could have.

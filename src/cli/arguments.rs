@@ -16,7 +16,7 @@ use std::path::PathBuf;
 ///
 /// Without a command it runs the report's scenes in every engine and writes a report to carom-report/.
 #[derive(Debug, Parser)]
-#[command(name = "carom", version, max_term_width = 100)]
+#[command(name = "carom", version, max_term_width = 100, after_help = super::exit::sentence())]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -35,8 +35,8 @@ pub enum Command {
     /// What accuracy costs in one scene: errors and times of every engine along its ladders of settings, and the cheapest setting for
     /// each error.
     ///
-    /// Ctrl-C ends it early: it concludes from what was run. What is timed runs alone; a machine that does something else is seen in the
-    /// column `noise`.
+    /// Ctrl-C stops it early: it says what was run and timed, and leaves open which setting is the cheapest. What is timed runs alone; a
+    /// machine that does something else is seen in the column `noise`.
     Cost(CostArguments),
     /// Up to which event anybody can be right about a scene, how perturbations grow, and which input matters most.
     Horizon(HorizonArguments),

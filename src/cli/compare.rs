@@ -3,7 +3,6 @@
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
 use crate::engine::Limits;
-use crate::report;
 use crate::study::compare::{LengthUnit, default_columns, plan};
 use crate::study::{Answer, Column, Timing, Watch};
 use std::process::ExitCode;
@@ -26,7 +25,7 @@ pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
         _ => LengthUnit::Radius,
     };
     let summary = answer.summary(unit);
-    terminal::print(&report::render(&summary, &arguments.format).unwrap_or_default())
+    terminal::show(&summary, &arguments.format)
 }
 
 /// The engines that were named, or the default ones; the exact engine first.

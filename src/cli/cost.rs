@@ -27,8 +27,7 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
         progress: &show,
         cancelled: terminal::cancelled(),
     };
-    let outcome = cost::study(&scene, &named, grid, watch)
-        .map_err(|refusal| Failure::Message(refusal.to_string()))?;
+    let outcome = cost::study(&scene, &named, grid, watch);
     drop(progress);
     let folder = folder(&arguments.out, &scene.name);
     // everything for programs, what a reader can take in for a terminal
@@ -38,7 +37,7 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
         cost::page(&outcome)
     };
     let mut prices = Vec::new();
-    if !outcome.cancelled {
+    if !outcome.stopped {
         let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
             .map_err(|error| Failure::Message(error.to_string()))?;
         prices.push((PRICES.to_owned(), list));

@@ -1,12 +1,13 @@
 //! `carom diff`: what of two result folders is not the same.
 
 use super::arguments::DiffArguments;
-use super::{Failure, NOT_MET, output, publish, scene};
+use super::exit::Exit;
+use super::{Failure, output, publish, scene};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
 use crate::study::check::{between, tolerance, ulp_of, unheld};
-use crate::trace::{Trace, files};
+use crate::trace::{Ending, Trace, files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -43,6 +44,7 @@ pub fn diff(arguments: &DiffArguments) -> Result<ExitCode, Failure> {
         blocks.push(Block::Table(gate::changes_table(&changes, MOST_CHANGES)));
     }
     let document = Document {
+        stopped_early: None,
         id: "diff".to_owned(),
         title: format!("{} against {}", second.display(), first.display()),
         lead: format!("Beyond tolerance: {sentence}."),
@@ -53,7 +55,7 @@ pub fn diff(arguments: &DiffArguments) -> Result<ExitCode, Failure> {
     Ok(if changes.is_empty() {
         printed
     } else {
-        ExitCode::from(NOT_MET)
+        Exit::NotMet.into()
     })
 }
 
@@ -79,6 +81,13 @@ fn read(folder: &Path) -> Result<Results, Failure> {
     };
     if let Some(four) = output::undisturbed(folder, four)?? {
         let trace = files::read(&four).map_err(|error| cannot_read(folder, &error))?;
+        if trace.ending == Ending::Cancelled {
+            return Err(Failure::Message(format!(
+                "{} holds a run that was stopped early, at {} s: it is no whole run to compare; run it again",
+                folder.display(),
+                trace.end_time
+            )));
+        }
         return Ok(Results::Trace(Box::new(trace)));
     }
     let found = output::undisturbed(folder, || baselines_in(folder))??;

@@ -3,7 +3,6 @@
 use super::{Failure, terminal};
 use crate::engine::ENGINES;
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::report;
 use crate::study::validation::engine_table;
 use std::process::ExitCode;
 
@@ -43,10 +42,11 @@ pub fn engines(format: String) -> Result<ExitCode, Failure> {
     }
     let document = Document {
         id: "engines".to_owned(),
+        stopped_early: None,
         title: "Engines".to_owned(),
         lead: String::new(),
         blocks,
         pages: Vec::new(),
     };
-    terminal::print(&report::render(&document, &format).unwrap_or_default())
+    terminal::show(&document, &format)
 }

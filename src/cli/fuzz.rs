@@ -1,14 +1,12 @@
 //! `carom fuzz`: random scenes and mutated inputs, and what they break.
 
 use super::arguments::{FuzzArguments, parse_engines};
+use super::exit::Exit;
 use super::{Failure, bounds, output, publish, terminal};
 use crate::finding::Document;
 use crate::study::mutation::{Examples, Input};
 use crate::study::{Watch, mutation, random};
 use std::process::ExitCode;
-
-/// Something was found.
-const FOUND: u8 = 1;
 
 /// Scenes unless told otherwise.
 const SCENES: u64 = 10_000;
@@ -44,8 +42,9 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
         output::write_at(folder, &files)?;
     }
     let printed = publish(&document, &arguments.format, || document.clone(), None)?;
-    Ok(if found {
-        ExitCode::from(FOUND)
+    // what was stopped says so first, whatever it had found
+    Ok(if found && document.stopped_early.is_none() {
+        Exit::NotMet.into()
     } else {
         printed
     })

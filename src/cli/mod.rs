@@ -1,6 +1,6 @@
-//! The only place for arguments, environment, terminal, paths and Ctrl-C.
+//! The only place for arguments, environment, terminal, paths, Ctrl-C and SIGTERM.
 //!
-//! Results go to stdout, everything else to stderr. Exit codes: 0 finished, 1 something that must hold does not, 2 it could not run.
+//! Results go to stdout, everything else to stderr. Exit codes: [`exit::Exit`].
 
 mod accepted;
 mod arguments;
@@ -12,6 +12,7 @@ mod diff;
 mod effects;
 mod engines;
 mod ensemble;
+pub mod exit;
 mod fuzz;
 mod horizon;
 mod orphans;
@@ -28,14 +29,10 @@ use crate::finding::Document;
 use crate::scene::is_hidden;
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
+use exit::Exit;
 use std::path::Path;
 use std::process::ExitCode;
-
-/// It ran, and what was expected of it is not so.
-const NOT_MET: u8 = 1;
-
-/// It could not run: bad usage, bad scene, a file that cannot be written.
-const COULD_NOT_RUN: u8 = 2;
+use std::sync::atomic::Ordering;
 
 /// Why a command could not run, as shown after `error:`, or a message that is already rendered.
 #[derive(Debug)]
@@ -66,24 +63,26 @@ impl From<output::OutputError> for Failure {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
+    terminal::listen();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
             // clap's own code for usage errors is 2, for --help and --version 0
-            let code = u8::try_from(error.exit_code()).unwrap_or(COULD_NOT_RUN);
+            let help = error.exit_code() == 0;
+            let code = |exit: Exit| ExitCode::from(exit);
             // clap repeats what it was given; with nothing hidden in it, clap may colour its own words
-            let given = std::env::args_os();
-            if given
-                .into_iter()
-                .any(|word| word.to_string_lossy().contains(is_hidden))
-            {
+            let mut given = std::env::args_os();
+            if given.any(|word| word.to_string_lossy().contains(is_hidden)) {
                 terminal::say(error.render().to_string().trim_end());
-                return ExitCode::from(code);
+                return code(if help {
+                    Exit::Finished
+                } else {
+                    Exit::CouldNotRun
+                });
             }
-            return if error.print().is_ok() {
-                ExitCode::from(code)
-            } else {
-                ExitCode::from(COULD_NOT_RUN)
+            return match error.print() {
+                Ok(()) if help => Exit::Finished.into(),
+                _ => Exit::CouldNotRun.into(),
             };
         }
     };
@@ -91,11 +90,11 @@ pub fn main() -> ExitCode {
         Ok(code) => code,
         Err(Failure::Message(message)) => {
             terminal::say(&format!("error: {message}"));
-            ExitCode::from(COULD_NOT_RUN)
+            Exit::CouldNotRun.into()
         }
         Err(Failure::Rendered(text)) => {
             terminal::say_rendered(&text);
-            ExitCode::from(COULD_NOT_RUN)
+            Exit::CouldNotRun.into()
         }
     }
 }
@@ -116,18 +115,60 @@ fn publish_with(
     format: &str,
     page: impl FnOnce() -> Document,
     folder: Option<&Path>,
-    mut also: Vec<(String, String)>,
+    also: Vec<(String, String)>,
 ) -> Result<ExitCode, Failure> {
-    if let Some(folder) = folder {
-        // the first page last, by which others find their way
-        also.extend(crate::report::site(&page()));
-        output::write_files(folder, also)?;
-    }
-    let printed = terminal::print(&crate::report::render(summary, format).unwrap_or_default());
-    if let Some(folder) = folder {
+    let Some(folder) = folder else {
+        return terminal::show(summary, format);
+    };
+    let site = write_site(summary, page, folder, also)?;
+    let shown = Document {
+        stopped_early: site.stopped_early.clone(),
+        ..summary.clone()
+    };
+    let printed = terminal::show(&shown, format);
+    if !site.files.is_empty() {
         terminal::say(&format!("Page: {}", folder.join("index.html").display()));
     }
     printed
+}
+
+/// What was written of a page and those below it.
+struct Written {
+    /// Every file, in the order in which they were written; none where writing was stopped.
+    files: Vec<(String, String)>,
+    /// What stands before everything else that is printed: the study's own words, or that writing was stopped.
+    stopped_early: Option<String>,
+}
+
+/// Makes a page and writes it, with the files in `also` before it. Of a study that ran to its end nothing is written once the user asks
+/// to stop; one that was stopped is written as it is, for that was asked before.
+fn write_site(
+    summary: &Document,
+    page: impl FnOnce() -> Document,
+    folder: &Path,
+    also: Vec<(String, String)>,
+) -> Result<Written, Failure> {
+    let cancelled = terminal::cancelled();
+    let enough = || summary.stopped_early.is_none() && cancelled.load(Ordering::Relaxed);
+    let mut site = Written {
+        files: Vec::new(),
+        stopped_early: summary.stopped_early.clone(),
+    };
+    if !enough() {
+        let page = page();
+        if !enough() {
+            site.files = also;
+            // the first page last, by which others find their way
+            site.files.extend(crate::report::site(&page));
+        }
+    }
+    let files = site.files.iter().map(|(name, content)| (name, content));
+    if site.files.is_empty() || !output::write_files_unless(folder, files, enough)? {
+        site.files = Vec::new();
+        site.stopped_early =
+            Some("This was stopped early: everything was run, and no page was written.".to_owned());
+    }
+    Ok(site)
 }
 
 fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {

@@ -3,9 +3,8 @@
 use super::arguments::ReportArguments;
 use super::compare::columns;
 use super::cost::price_lists;
-use super::{Failure, output, scene, terminal};
+use super::{Failure, scene, terminal, write_site};
 use crate::finding::{Block, Cell, Document, Table};
-use crate::report;
 use crate::scene::catalogue;
 use crate::study::{Watch, validation};
 use std::process::ExitCode;
@@ -34,17 +33,20 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     );
     let document = validation::study(&scenes, &columns, &prices, watch)?;
     drop(progress);
-    let files = report::site(&document);
-    let weights = weights(&files);
-    output::write_files(&arguments.out, files)?;
-    let printed = terminal::print(
-        &report::render(&first_screen(&document), &arguments.format).unwrap_or_default(),
-    );
-    terminal::say(&format!(
-        "Report: {}",
-        arguments.out.join("index.html").display()
-    ));
-    terminal::say(&weights);
+    let shown = first_screen(&document);
+    let site = write_site(&shown, || document, &arguments.out, Vec::new())?;
+    let shown = Document {
+        stopped_early: site.stopped_early.clone(),
+        ..shown
+    };
+    let printed = terminal::show(&shown, &arguments.format);
+    if !site.files.is_empty() {
+        terminal::say(&format!(
+            "Report: {}",
+            arguments.out.join("index.html").display()
+        ));
+        terminal::say(&weights(&site.files));
+    }
     printed
 }
 

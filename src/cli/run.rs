@@ -4,9 +4,9 @@ use super::arguments::RunArguments;
 use super::{Failure, bounds, output, scene, terminal};
 use crate::engine::{self, Limits, Setting};
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::report;
+use crate::scene::Scene;
 use crate::study::compare::{describe_ending, describe_scene};
-use crate::trace::{Record, Trace, files};
+use crate::trace::{Ending, Record, Trace, files};
 use std::process::ExitCode;
 
 /// Runs one scene in one engine, writes the trace and prints where the balls ended.
@@ -31,19 +31,20 @@ pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let trace = run.simulate(Record::Every(cadence), &limits);
     let written = files::write(&trace).map_err(|error| Failure::Message(error.to_string()))?;
     output::write_files(&arguments.out, written.named())?;
-    let document = summary(
-        &trace,
-        &describe_scene(&scene),
-        &scene.units.length,
-        &scene.units.time,
-    );
-    let printed =
-        terminal::print(&report::render(&document, &arguments.format).unwrap_or_default());
+    let document = summary(&trace, &scene);
+    let printed = terminal::show(&document, &arguments.format);
     terminal::say(&format!("Trace: {}", arguments.out.display()));
     printed
 }
 
-fn summary(trace: &Trace, scene: &str, length: &str, time: &str) -> Document {
+fn summary(trace: &Trace, scene: &Scene) -> Document {
+    let (length, time) = (&scene.units.length, &scene.units.time);
+    let stopped_early = (trace.ending == Ending::Cancelled).then(|| {
+        format!(
+            "This was stopped early: at {:.7} {time} of {}, and what follows is the run so far.",
+            trace.end_time, scene.duration
+        )
+    });
     let columns = vec![
         Column::words("ball", "ball"),
         Column::number("stop-time", "stopped at", time),
@@ -72,10 +73,11 @@ fn summary(trace: &Trace, scene: &str, length: &str, time: &str) -> Document {
         note: work.join(", "),
     };
     Document {
+        stopped_early,
         id: "run".to_owned(),
         title: format!("{} in {}", trace.provenance.scene, trace.provenance.engine),
         lead: format!("{}; {} events.", describe_ending(trace), trace.events.len()),
-        blocks: vec![Block::Text(scene.to_owned()), Block::Table(table)],
+        blocks: vec![Block::Text(describe_scene(scene)), Block::Table(table)],
         pages: Vec::new(),
     }
 }

@@ -1,6 +1,7 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
-use super::{COULD_NOT_RUN, Failure, bounds, terminal};
+use super::exit::Exit;
+use super::{Failure, bounds, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report;
 use crate::scene::generate::{GenerateError, Recipe, generate};
@@ -112,9 +113,7 @@ impl LoadError {
 /// Does one of the commands below `carom scene`.
 pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
     match command {
-        SceneCommand::List => {
-            terminal::print(&report::render(&list_document()?, &format).unwrap_or_default())
-        }
+        SceneCommand::List => terminal::show(&list_document()?, &format),
         SceneCommand::Show { name } => terminal::print(show(name)?),
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
@@ -132,7 +131,7 @@ pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, 
             }
             Ok(match all_right {
                 true => printed,
-                false => ExitCode::from(COULD_NOT_RUN),
+                false => Exit::CouldNotRun.into(),
             })
         }
     }

@@ -1,6 +1,7 @@
 //! `carom stability`.
 
 use super::arguments::{StabilityArguments, parse_engines};
+use super::exit::Exit;
 use super::orphans::orphans;
 use super::{Failure, accepted, publish, terminal, versions};
 use crate::finding::{Block, Document};
@@ -38,6 +39,9 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
         || held.document(page, usize::MAX),
         arguments.out.as_deref(),
     )?;
+    if accepted::was_stopped(printed, reason.as_deref()) {
+        return Ok(printed);
+    }
     match reason {
         Some(reason) => held.accept(&files, &reason),
         None => held.decide(printed, arguments),
@@ -264,7 +268,7 @@ impl Held {
         for file in &self.unread {
             terminal::say(&format!("No scene reads {file}: remove it."));
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(Exit::Finished.into())
     }
 
     /// What is accepted of a scene: what was found, and what was accepted before of runs that were left out.
@@ -297,10 +301,6 @@ impl Held {
         match standing.decision() {
             Decision::Met => Ok(printed),
             Decision::NotMet => Ok(accepted::not_met(COMMAND)),
-            Decision::Incomplete if standing.cut_short => Err(Failure::Message(
-                "it was stopped before its end, so it is not held against what was accepted"
-                    .to_owned(),
-            )),
             Decision::Incomplete => Err(self.missing(arguments)),
         }
     }

@@ -1,6 +1,9 @@
-//! Stdout, stderr, progress and Ctrl-C.
+//! Stdout, stderr, progress, Ctrl-C and SIGTERM.
 
-use super::Failure;
+use super::exit::Exit;
+use super::{Failure, output};
+use crate::finding::Document;
+use crate::report;
 use crate::scene::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -8,11 +11,24 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Exit code of a program ended by Ctrl-C.
-const INTERRUPTED: i32 = 130;
-
-/// Set by the first Ctrl-C.
+/// Set by the first Ctrl-C or SIGTERM.
 static CANCELLED: AtomicBool = AtomicBool::new(false);
+
+/// Set once a command looks at [`CANCELLED`].
+static HEEDED: AtomicBool = AtomicBool::new(false);
+
+/// Prints a document to stdout, and answers how a command ends that has nothing else to say.
+pub fn show(document: &Document, format: &str) -> Result<ExitCode, Failure> {
+    let printed = print(&report::render(document, format).unwrap_or_default())?;
+    let Some(stopped) = &document.stopped_early else {
+        return Ok(printed);
+    };
+    // tables for programs have no place for words
+    if format == "csv" {
+        say(stopped);
+    }
+    Ok(Exit::StoppedEarly.into())
+}
 
 /// Writes a result to stdout. A reader that went away (`| head`) is no error.
 pub fn print(text: &str) -> Result<ExitCode, Failure> {
@@ -22,7 +38,7 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::Message(format!("cannot write to stdout: {error}")))
         }
-        _ => Ok(ExitCode::SUCCESS),
+        _ => Ok(Exit::Finished.into()),
     }
 }
 
@@ -42,14 +58,29 @@ pub fn colour_on_stderr() -> bool {
     io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-/// The flag that Ctrl-C sets: the first asks to stop and keep what there is, the second ends the program.
-pub fn cancelled() -> &'static AtomicBool {
-    // a second installation fails, and the first is still there
+/// Listens for Ctrl-C and SIGTERM from now on. Until a command has asked for [`cancelled`], the first one ends the program.
+pub fn listen() {
+    // where it cannot be listened for, the system ends the program
     let _ = ctrlc::set_handler(|| {
+        if !HEEDED.load(Ordering::Relaxed) {
+            say("This was stopped early: nothing was done.");
+            end();
+        }
         if CANCELLED.swap(true, Ordering::Relaxed) {
-            std::process::exit(INTERRUPTED);
+            end();
         }
     });
+}
+
+/// Ends the program at once, and leaves no file half written.
+fn end() {
+    let _nobody_writes = output::abandon();
+    std::process::exit(i32::from(Exit::StoppedEarly.code()));
+}
+
+/// The flag that Ctrl-C and SIGTERM set: the first asks to stop and keep what there is, the second ends the program.
+pub fn cancelled() -> &'static AtomicBool {
+    HEEDED.store(true, Ordering::Relaxed);
     &CANCELLED
 }
 

@@ -130,9 +130,18 @@ impl Limits<'_> {
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
+
+    /// What `work` answers; `None` where the user asked to stop before it was done: what was cut short says nothing.
+    pub fn whole<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
+        if self.is_cancelled() {
+            return None;
+        }
+        let answer = work();
+        (!self.is_cancelled()).then_some(answer)
+    }
 }
 
-/// Why nothing ran.
+/// Why there is no run to conclude from.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Refusal {
@@ -165,6 +174,9 @@ pub enum Refusal {
         /// Each difference in one sentence.
         differs: Vec<String>,
     },
+    /// The user asked to stop before it had come to its end. No refusal of the engine's: another time it runs.
+    #[error("was stopped before its end")]
+    Stopped,
 }
 
 /// The engine called `id`.

@@ -8,6 +8,9 @@ use serde::Serialize;
 pub struct Document {
     /// Kebab-case, unique among the pages: file name and anchor.
     pub id: String,
+    /// What stands before everything else because the user asked to stop before it had finished: one sentence with the words
+    /// `stopped early`; `None` where nothing was left out for that reason.
+    pub stopped_early: Option<String>,
     /// Title.
     pub title: String,
     /// The sentence a person came for; empty if there is none.

@@ -1,6 +1,7 @@
 //! Hard cases held against what was accepted of them: one scene of a matrix.
 
 use super::{Accepted, Change, Row, contradictions, diff};
+use crate::finding::Verdict;
 use crate::study::stability::{Outcome, Reach, reach_of};
 use std::collections::BTreeMap;
 
@@ -53,10 +54,16 @@ pub fn hold_cases(outcome: &Outcome, scene: usize, accepted: &Accepted, some: bo
             held.left_out += 1;
         }
     }
-    let found: Vec<Row> = outcome.findings(scene).iter().map(Row::from).collect();
+    // an engine that refuses the scene, and of which nothing was ever accepted, is shown and holds nothing
+    let refused = |row: &Row| {
+        let judged = case(row).and_then(|case| case.judged.as_ref());
+        let cannot = judged.is_some_and(|judged| judged.verdict == Verdict::CannotExpress);
+        cannot && !old.iter().any(|known| known.engine == row.engine)
+    };
+    let found = outcome.findings(scene);
+    let found = found.iter().map(Row::from).filter(|row| !refused(row));
     let only_full = |row: &Row| case(row).is_some_and(|case| case.planned.reach == Reach::Full);
     let (new, now): (Vec<Row>, Vec<Row>) = found
-        .into_iter()
         .partition(|row| only_full(row) && !old.iter().any(|known| known.engine == row.engine));
     held.new = new.len();
     held.changes = diff(&old, &now, |row| outcome.tolerance(&row.engine, &row.check));

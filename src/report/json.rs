@@ -1,8 +1,8 @@
 //! JSON: one document with the same content, every digit, one table row and one curve a line.
 //!
-//! `blocks` gives the order of a page and refers to its `tables` and `figures` by id; a table's rows are objects keyed by
-//! column, with its units beside them. There is no NaN in JSON: a number that is none is the text `"NaN"`, `"inf"` or
-//! `"-inf"`, and a missing one is `null`.
+//! `stopped_early` is there, before everything else, only where the user asked to stop before it had finished. `blocks` gives the
+//! order of a page and refers to its `tables` and `figures` by id; a table's rows are objects keyed by column, with its units beside
+//! them. There is no NaN in JSON: a number that is none is the text `"NaN"`, `"inf"` or `"-inf"`, and a missing one is `null`.
 
 use super::cell::{Exact, exact_columns};
 use crate::finding::{Axis, Block, Document, Figure, Replay, Table};
@@ -40,6 +40,8 @@ fn page(document: &Document, depth: usize) -> String {
         });
     }
     let pages = document.pages.iter().map(|p| page(p, depth + 2)).collect();
+    let stopped = document.stopped_early.iter();
+    let stopped = stopped.map(|words| ("stopped_early", text(words)));
     let fields = [
         ("id", text(&document.id)),
         ("title", text(&document.title)),
@@ -49,7 +51,8 @@ fn page(document: &Document, depth: usize) -> String {
         ("figures", object(figures, depth + 1)),
         ("pages", array(pages, depth + 1)),
     ];
-    object(fields.map(|(k, v)| (k.to_owned(), v)).into(), depth)
+    let fields = stopped.chain(fields);
+    object(fields.map(|(k, v)| (k.to_owned(), v)).collect(), depth)
 }
 
 fn table(table: &Table, depth: usize) -> String {

@@ -14,6 +14,9 @@ pub fn write(document: &Document) -> String {
 pub fn write_with(document: &Document, picture: impl Fn(&Page, &str) -> Option<String>) -> String {
     let pages = Pages::of(document);
     let mut parts = Vec::new();
+    if let Some(stopped) = &document.stopped_early {
+        parts.push(strong(stopped));
+    }
     for page in &pages.list {
         let hashes = |level: usize| "#".repeat((page.depth + level).min(6));
         parts.push(format!("{} {}\n", hashes(1), heading(&page.document.title)));

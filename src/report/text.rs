@@ -32,10 +32,10 @@ pub fn write(document: &Document) -> String {
 /// A document without the pages below it.
 pub fn page(document: &Document) -> String {
     let mut parts = Vec::new();
-    let opening = [&document.title, &document.lead];
+    let stopped = document.stopped_early.iter();
+    let opening = stopped.chain([&document.title, &document.lead]);
     parts.extend(
         opening
-            .into_iter()
             .filter(|words| !words.is_empty())
             .map(|words| paragraph("", words)),
     );

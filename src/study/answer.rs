@@ -30,9 +30,10 @@ impl Answer {
             max_events,
             cancelled: watch.cancelled,
         };
-        let outcome =
+        let mut outcome =
             compare::study_within(scene, richer.as_ref(), columns, timing, &limits, watch);
-        let surroundings = ensemble::surroundings(&outcome, watch);
+        let (surroundings, extent) = ensemble::surroundings(&outcome, watch);
+        outcome.extent.add(extent);
         Ok(Answer {
             outcome,
             surroundings,

@@ -96,6 +96,7 @@ pub fn page(claims: &[Claim]) -> Document {
     }
     Document {
         id: "report-audit".to_owned(),
+        stopped_early: None,
         title: "Audit of the report".to_owned(),
         lead: String::new(),
         blocks,

@@ -18,7 +18,8 @@ use std::sync::atomic::AtomicBool;
 
 /// Runs the scene in `precision` and in its witness and says how far they can be believed.
 ///
-/// Errors: the scene calls for what the exact engine cannot simulate, or has too many balls.
+/// Where the user asks to stop before, there is nothing to say but that. Errors: the scene calls for what the exact engine cannot
+/// simulate, or has too many balls.
 pub fn study(
     scene: &Scene,
     precision: Precision,
@@ -29,19 +30,33 @@ pub fn study(
         cancelled,
         ..Limits::NONE
     };
-    let found = horizon(scene, precision, true, &limits).ok_or_else(|| Refusal::Setting {
+    let refused = || Refusal::Setting {
         message: format!(
             "a horizon needs a precision with a finer one to be held against, and a scene of at most {} balls; this one has {}",
             crate::engine::exact::horizon::MOST_BALLS,
             scene.balls.len()
         ),
-    })?;
-    Ok(page(scene, &found))
+    };
+    let found: Option<Result<_, Refusal>> = limits.whole(|| {
+        let found = horizon(scene, precision, true, &limits).ok_or_else(refused)?;
+        Ok((influences(scene, &found.trace, found.until, &limits), found))
+    });
+    let Some((influences, found)) = found.transpose()? else {
+        let what = "how far the scene can be predicted was not found";
+        return Ok(Document {
+            stopped_early: Some(format!("This was stopped early: {what}.")),
+            ..document(
+                scene,
+                String::new(),
+                vec![Block::Text(describe_scene(scene))],
+            )
+        });
+    };
+    Ok(page(scene, &found, &influences))
 }
 
 /// The page of a horizon.
-fn page(scene: &Scene, horizon: &Horizon) -> Document {
-    let influences = influences(scene, &horizon.trace, horizon.until);
+fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> Document {
     let mut blocks = vec![
         Block::Text(describe_scene(scene)),
         Block::Text(format!(
@@ -59,10 +74,10 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
         certainty::apart(scene, horizon, growth),
     ];
     blocks.extend(figures.into_iter().flatten().map(Block::Figure));
-    if let Some(sentence) = matters_most(scene, horizon, &influences) {
+    if let Some(sentence) = matters_most(scene, horizon, influences) {
         blocks.push(Block::Text(sentence));
-        blocks.push(Block::Table(influence_table(scene, &influences)));
-        blocks.push(Block::Table(derivative_table(scene, &influences)));
+        blocks.push(Block::Table(influence_table(scene, influences)));
+        blocks.push(Block::Table(derivative_table(scene, influences)));
     } else {
         blocks.push(Block::Text(
             "Positions have no derivative here: the run did not reach its end, or a convention resolved several contacts at once."
@@ -71,10 +86,15 @@ fn page(scene: &Scene, horizon: &Horizon) -> Document {
     }
     blocks.push(Block::Table(event_table(scene, horizon)));
     blocks.push(Block::Command(format!("carom horizon {}", scene.name)));
+    document(scene, sentence(scene, horizon), blocks)
+}
+
+fn document(scene: &Scene, lead: String, blocks: Vec<Block>) -> Document {
     Document {
         id: "index".to_owned(),
+        stopped_early: None,
         title: format!("How far {} can be predicted", scene.name),
-        lead: sentence(scene, horizon),
+        lead,
         blocks,
         pages: Vec::new(),
     }

@@ -1,9 +1,9 @@
 //! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
-use crate::engine::{self, ENGINES, Engine, Limits, Parameter, Refusal, Setting};
+use crate::engine::{self, ENGINES, Engine, Limits, Parameter, Refusal, Run, Setting};
 use crate::math::statistics::Distribution;
 use crate::scene::{Scene, printable};
-use crate::trace::{Ending, Record, Trace};
+use crate::trace::{Record, Trace};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
@@ -104,7 +104,8 @@ pub struct Ran {
     pub seconds: Option<f64>,
 }
 
-/// One cell: what ran, or why nothing did.
+/// One cell: what ran to its own end, or why nothing did; [`Refusal::Stopped`] where the user asked to stop before, so that nobody takes
+/// part of a run for the whole.
 pub type Cell = Result<Ran, Refusal>;
 
 /// What the person at the terminal is told and may ask for while a matrix runs.
@@ -120,6 +121,15 @@ impl Watch<'_> {
     /// True once the user asked to stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
+    }
+
+    /// What `work` answers; `None` where the user asked to stop before it was done: what was cut short says nothing.
+    pub fn whole<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
+        let limits = Limits {
+            cancelled: self.cancelled,
+            ..Limits::NONE
+        };
+        limits.whole(work)
     }
 }
 
@@ -231,11 +241,10 @@ pub fn run_jobs<T: Send>(
     let run = |k: usize| {
         let job = &jobs[k];
         let ran = run_cell(job.scene, &job.column, record, Timing::None, cancelled);
-        let trace = ran.map(|ran| ran.trace);
-        if matches!(&trace, Ok(trace) if trace.ending == Ending::Cancelled) {
+        if let Err(Refusal::Stopped) = ran {
             return None;
         }
-        let reduced = reduce(k, trace);
+        let reduced = reduce(k, ran.map(|ran| ran.trace));
         done(job);
         Some(reduced)
     };
@@ -268,7 +277,7 @@ fn largest_first<T: Send>(
 
 /// Times one cell: a run to warm up, then several; nothing else runs meanwhile.
 ///
-/// `None` where the user asked to stop before a run was timed.
+/// `None` where the user asked to stop before as many runs were timed as must be.
 pub fn time_alone(
     scene: &Scene,
     column: &Column,
@@ -283,26 +292,32 @@ pub fn time_alone(
         // set-up is outside the stopwatch
         let run = engine::prepare(column.engine, scene, &column.setting)?;
         let start = Instant::now();
-        let trace = run.simulate(Record::Final, &limits);
+        let trace = to_its_end(run, Record::Final, &limits)?;
         Ok((start.elapsed().as_secs_f64(), trace))
     };
-    let (first, warm) = once()?;
+    // a run that was told to stop is short for that reason
+    let (first, warm) = match once() {
+        Err(Refusal::Stopped) => return Ok(None),
+        other => other?,
+    };
     let (mut all, mut spent) = (Vec::new(), 0.0);
     // where one run is long, it has been warm for most of it
     if effort.least_runs == 1 || first > effort.seconds {
         (all, spent) = (vec![first], first);
     }
-    while !limits.is_cancelled() && all.len() < effort.most_runs {
+    while all.len() < effort.most_runs {
         if all.len() >= effort.least_runs && spent + first > effort.seconds {
             break;
         }
-        let (seconds, _) = once()?;
-        all.push(seconds);
-        spent += seconds;
-    }
-    // a run that was told to stop is short for that reason
-    if limits.is_cancelled() {
-        all.pop();
+        match once() {
+            Err(Refusal::Stopped) if all.len() < effort.least_runs => return Ok(None),
+            Err(Refusal::Stopped) => break,
+            Err(other) => return Err(other),
+            Ok((seconds, _)) => {
+                all.push(seconds);
+                spent += seconds;
+            }
+        }
     }
     let Some(times) = Distribution::of(all) else {
         return Ok(None);
@@ -340,10 +355,10 @@ pub fn run_samples<T: Send>(
         let (index, column) = (cell / columns.len(), &columns[cell % columns.len()]);
         let scene = sample(index);
         let ran = run_cell(&scene, column, record, Timing::None, watch.cancelled);
-        let trace = ran.map(|ran| ran.trace);
-        if matches!(&trace, Ok(trace) if trace.ending == Ending::Cancelled) {
+        if let Err(Refusal::Stopped) = ran {
             return None;
         }
+        let trace = ran.map(|ran| ran.trace);
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
         if count.is_multiple_of(often) || count == cells {
             (watch.progress)(count, cells, &format!("samples of {}", scene.name));
@@ -402,7 +417,7 @@ pub fn fold_blocks<T: Send>(
     }
 }
 
-/// Runs one scene in one column within a number of events, untimed.
+/// Runs one scene in one column within a number of events, untimed. Errors: why there is no run that came to its own end.
 pub fn run_one(
     scene: &Scene,
     column: &Column,
@@ -410,7 +425,17 @@ pub fn run_one(
     limits: &Limits<'_>,
 ) -> Result<Trace, Refusal> {
     let run = engine::prepare(column.engine, scene, &column.setting)?;
-    Ok(run.simulate(record, limits))
+    to_its_end(run, record, limits)
+}
+
+/// The only way from a run to a result: a trace that came to its own end, whichever that is.
+fn to_its_end(
+    run: Box<dyn Run + '_>,
+    record: Record,
+    limits: &Limits<'_>,
+) -> Result<Trace, Refusal> {
+    let trace = limits.whole(|| run.simulate(record, limits));
+    trace.ok_or(Refusal::Stopped)
 }
 
 /// A cell that takes several runs, for [`run_tasks`].
@@ -493,17 +518,22 @@ fn run_within(
     timing: Timing,
     limits: &Limits<'_>,
 ) -> Cell {
+    if limits.is_cancelled() {
+        return Err(Refusal::Stopped);
+    }
     let run = engine::prepare(column.engine, scene, &column.setting)?;
-    let sheet = run.sheet();
+    // what many balls are told takes its time too
+    let sheet = limits.whole(|| run.sheet()).ok_or(Refusal::Stopped)?;
     let start = Instant::now();
-    let trace = run.simulate(record, limits);
+    let trace = to_its_end(run, record, limits)?;
     let first = start.elapsed().as_secs_f64();
     let seconds = match timing {
         Timing::None => None,
         // a long run is not repeated for its time alone
         Timing::Alone if first > IN_PASSING.seconds => Some(first),
         Timing::Alone => {
-            time_alone(scene, column, IN_PASSING, limits.cancelled)?.map(|timed| timed.seconds)
+            let timed = time_alone(scene, column, IN_PASSING, limits.cancelled)?;
+            Some(timed.ok_or(Refusal::Stopped)?.seconds)
         }
     };
     Ok(Ran {

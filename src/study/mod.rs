@@ -9,6 +9,7 @@ pub mod cost;
 pub mod curves;
 pub mod effects;
 pub mod ensemble;
+mod extent;
 pub mod horizon;
 mod logarithm;
 pub mod matrix;
@@ -18,4 +19,5 @@ pub mod stability;
 pub mod validation;
 
 pub use answer::Answer;
+pub use extent::Extent;
 pub use matrix::{Cell, Column, Ran, Timing, Watch};

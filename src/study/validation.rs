@@ -5,6 +5,7 @@ use super::compare::{self, Cause, Outcome, PairOutcome};
 use super::cost::{self, PriceList};
 use super::curves;
 use super::ensemble;
+use super::extent::Extent;
 use super::matrix::{Column, Timing, Watch};
 use crate::engine::ENGINES;
 use crate::finding::{
@@ -26,7 +27,8 @@ const CURVES: [&str; 2] = ["exact", "stepper contact=approaching-only"];
 
 /// Runs the comparison of every scene and the audit, and writes the report as a document.
 ///
-/// `prices`: what earlier studies of cost left. `progress` counts scenes and the audit. A cancelled report concludes from what it has, and says so.
+/// `prices`: what earlier studies of cost left. `progress` counts scenes and the audit. A report that was stopped concludes from the scenes
+/// that were compared to the end, and says so.
 pub fn study(
     scenes: &[Scene],
     columns: &[Column],
@@ -40,29 +42,41 @@ pub fn study(
     };
     let (mut outcomes, mut surroundings) = (Vec::new(), Vec::new());
     for (done, scene) in scenes.iter().enumerate() {
-        if watch.is_cancelled() {
-            break;
-        }
         (watch.progress)(done, total, &scene.name);
         let richer = scene.richer.as_deref().map(catalogue::scene).transpose()?;
-        let outcome = compare::study(scene, richer.as_ref(), columns, Timing::Alone, silent);
-        surroundings.push(ensemble::surroundings(&outcome, silent));
+        // a comparison that lacks a run has no place beside whole ones
+        let compared = watch.whole(|| {
+            let outcome = compare::study(scene, richer.as_ref(), columns, Timing::Alone, silent);
+            let (blocks, _) = ensemble::surroundings(&outcome, silent);
+            (outcome, blocks)
+        });
+        let Some((outcome, blocks)) = compared else {
+            break;
+        };
         outcomes.push(outcome);
+        surroundings.push(blocks);
     }
     (watch.progress)(scenes.len(), total, "the report's claims");
-    let claims = if watch.is_cancelled() {
-        Vec::new()
-    } else {
-        claims::audit(silent)?
-    };
+    let claims = watch.whole(|| claims::audit(silent)).transpose()?;
+    let laws = watch.whole(|| laws(columns, silent)).transpose()?;
     (watch.progress)(total, total, "done");
+    let stopped_early = Extent::of(outcomes.len() as u64, scenes.len() as u64)
+        .stopped_early("scenes were compared")
+        .or_else(|| {
+            let mut rest = Extent::default();
+            rest.count(claims.is_some());
+            rest.count(laws.is_some());
+            rest.stopped_early(
+                "pages about claims and laws were made, after every scene was compared",
+            )
+        });
+    let claims = claims.unwrap_or_default();
     let mut document = conclude(scenes, &outcomes, &claims, columns, prices);
+    document.stopped_early = stopped_early;
     for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
         ensemble::surround(page, blocks);
     }
-    if !watch.is_cancelled() {
-        document.pages.extend(laws(columns, silent)?);
-    }
+    document.pages.extend(laws.flatten());
     Ok(document)
 }
 
@@ -89,16 +103,7 @@ fn conclude(
     columns: &[Column],
     prices: &[PriceList],
 ) -> Document {
-    let planned = scenes.len();
-    let mut blocks = Vec::new();
-    if outcomes.len() < planned || claims.is_empty() {
-        let text = format!(
-            "Cancelled: {} of {planned} scenes were compared.",
-            outcomes.len()
-        );
-        blocks.push(Block::Text(text));
-    }
-    blocks.push(Block::Table(scene_table(outcomes)));
+    let mut blocks = vec![Block::Table(scene_table(outcomes))];
     if !claims.is_empty() {
         blocks.push(Block::Heading("What the report got wrong".to_owned()));
         blocks.push(Block::List(
@@ -127,6 +132,7 @@ fn conclude(
     }
     Document {
         id: "index".to_owned(),
+        stopped_early: None,
         title: "carom validation report".to_owned(),
         lead: first_sentence(outcomes),
         blocks,

@@ -43,8 +43,8 @@ pub fn run(asked: &Asked, drawn: &Drawn, turns: &dyn Turns) -> Result<Shot, (u16
     let notice = match turn {
         Turn::Done => String::new(),
         Turn::TooLong(seconds) => format!(
-            "The computation was stopped after {seconds} s. What follows goes as far as it came: \
-             a run that was stopped is called cancelled, and what needs all of it is not shown."
+            "The computation was stopped after {seconds} s. What follows is of the engines that had come to their end by then: \
+             of the others nothing is shown."
         ),
         Turn::Overtaken => {
             let problem = Problem::new("a newer shot took the place of this one");

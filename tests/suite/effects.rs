@@ -396,7 +396,12 @@ fn what_was_cancelled_says_so() {
     let outcome = study(&scene("draw"), &columns(&["exact"]), THRESHOLD, watch).unwrap();
     assert!(outcome.cells.is_empty());
     let document = page(&outcome);
-    assert_eq!(document.lead, "Cancelled before draw was run.");
+    let said = document.stopped_early.unwrap();
+    assert!(said.contains("stopped early: none of"), "{said}");
+    assert_eq!(
+        document.lead,
+        "draw was not run, so what its effects are worth is unknown."
+    );
 }
 
 #[test]

@@ -397,7 +397,7 @@ fn a_cancelled_ensemble_concludes_from_what_it_has_and_says_so() {
     for entry in &outcome.entries {
         assert_eq!(entry.cells.iter().flatten().count(), outcome.done);
     }
-    let words = format!("Cancelled: {} of {samples} samples", outcome.done);
+    let words = format!("stopped early: {} of {samples} samples", outcome.done);
     let text = render(&summary(&outcome), "text").unwrap();
     assert!(text.contains(&words), "{text}");
 }
@@ -443,7 +443,7 @@ fn a_comparison_shows_the_ensemble_where_the_scene_asks_for_one_and_nowhere_else
         let columns = compare::plan(&columns(&[("stepper", "dt=1e-2")]));
         let outcome = compare::study(&scene, None, &columns, Timing::None, watch());
         let mut document = compare::summary(&outcome, compare::LengthUnit::Radius);
-        let blocks = surroundings(&outcome, watch());
+        let (blocks, _) = surroundings(&outcome, watch());
         let count = blocks.len();
         surround(&mut document, blocks);
         (document, count)

@@ -83,7 +83,7 @@ fn derivatives_of_final_positions_are_those_of_perturbed_pairs() {
     let mut compared = 0;
     for name in scenes {
         let scene = catalogue::scene(name).unwrap();
-        let found = influences(&scene, &traced(&scene), f64::INFINITY);
+        let found = influences(&scene, &traced(&scene), f64::INFINITY, &Limits::NONE);
         let before = wide(&scene);
         for input in inputs {
             // in 106 bits the difference keeps its digits; second order leaves a part of by x growth, 1e-10 x 1e5
@@ -127,7 +127,7 @@ fn restitution_moves_stop_positions_as_the_closed_forms_say() {
         .cloth(MU)
         .build();
     let v = (v0 * v0 - 2.0 * MU * G * gap).sqrt();
-    let found = influences(&scene, &traced(&scene), f64::INFINITY);
+    let found = influences(&scene, &traced(&scene), f64::INFINITY, &Limits::NONE);
     let by_e = &influence(&found, Input::BallRestitution).derivative;
     assert!(
         (by_e[1][0] - v * v / (2.0 * MU * G)).abs() < 1e-12,
@@ -141,7 +141,7 @@ fn restitution_moves_stop_positions_as_the_closed_forms_say() {
         .cloth(MU)
         .cushions(10.0, 10.0)
         .build();
-    let found = influences(&scene, &traced(&scene), f64::INFINITY);
+    let found = influences(&scene, &traced(&scene), f64::INFINITY, &Limits::NONE);
     let by_e = &influence(&found, Input::CushionRestitution).derivative;
     assert!((by_e[0][0] + v * v / (MU * G)).abs() < 1e-12, "{by_e:?}");
 }

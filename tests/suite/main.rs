@@ -47,6 +47,7 @@ mod shots;
 mod stability;
 mod stepper;
 mod stepper_effects;
+mod stopped;
 mod support;
 mod trace_files;
 mod transcription;

@@ -3,8 +3,9 @@
 mod outputs;
 
 use super::arguments::CheckArguments;
+use super::exit::Exit;
 use super::orphans::orphans;
-use super::{Failure, NOT_MET, accepted, output, publish, terminal, versions};
+use super::{Failure, accepted, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
@@ -81,6 +82,9 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     )?;
     // wall time only advises
     terminal::say(&format!("Took {seconds:.1} s."));
+    if accepted::was_stopped(printed, reason.as_deref()) {
+        return Ok(printed);
+    }
     match reason {
         Some(reason) => accept(&held, &files, folder, &reason),
         None => decide(&held, printed, arguments),
@@ -229,7 +233,7 @@ fn accept(
     for file in &held.unread {
         terminal::say(&format!("No scene reads {file}: remove it."));
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(Exit::Finished.into())
 }
 
 /// The exit code, and what to do about it.
@@ -239,7 +243,7 @@ fn decide(held: &Held, printed: ExitCode, arguments: &CheckArguments) -> Result<
         Decision::Met => Ok(printed),
         Decision::NotMet if standing.broken_promises > 0 => {
             terminal::say("A promised invariant does not hold; that is not up to acceptance.");
-            Ok(ExitCode::from(NOT_MET))
+            Ok(Exit::NotMet.into())
         }
         Decision::NotMet => Ok(accepted::not_met(COMMAND)),
         Decision::Incomplete if standing.cut_short => Err(Failure::Message(format!(

@@ -6,6 +6,7 @@
 mod stage;
 mod turn;
 
+pub use stage::abandon;
 use stage::{Stage, sweep};
 use std::collections::BTreeSet;
 use std::fs;
@@ -66,6 +67,16 @@ pub fn write_files<N: AsRef<str>, C: AsRef<[u8]>>(
     folder: &Path,
     files: impl IntoIterator<Item = (N, C)>,
 ) -> Result<(), OutputError> {
+    write_files_unless(folder, files, || false).map(|_| ())
+}
+
+/// The same, unless `enough`, which is asked before each file is put to disk, while none has its name: then nothing is written, not
+/// even the folder where it was not there. True if they were written.
+pub fn write_files_unless<N: AsRef<str>, C: AsRef<[u8]>>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (N, C)>,
+    enough: impl Fn() -> bool,
+) -> Result<bool, OutputError> {
     let mut placed = Vec::new();
     for (name, content) in files {
         let name = Path::new(name.as_ref());
@@ -77,7 +88,7 @@ pub fn write_files<N: AsRef<str>, C: AsRef<[u8]>>(
         }
         placed.push((folder.join(name), content));
     }
-    write(folder, &placed, Bond::Sign)
+    write(folder, &placed, Bond::Sign, enough)
 }
 
 /// Writes files at their paths in or below `folder`, as [`write_files`] does, each of which can be read without the others.
@@ -85,7 +96,7 @@ pub fn write_at<P: AsRef<Path>, C: AsRef<[u8]>>(
     folder: &Path,
     files: &[(P, C)],
 ) -> Result<(), OutputError> {
-    write(folder, files, Bond::None)
+    write(folder, files, Bond::None, || false).map(|_| ())
 }
 
 /// Writes one file, making its folder as needed.
@@ -94,7 +105,7 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), OutputError> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    write(folder, &[(path, content)], Bond::None)
+    write(folder, &[(path, content)], Bond::None, || false).map(|_| ())
 }
 
 /// What `read` makes of files in `folder` while nobody renames others there.
@@ -109,12 +120,16 @@ fn turn(folder: &Path) -> Result<Option<Turn>, OutputError> {
     })
 }
 
-/// Writes files at their paths; `folder`: where the stage is, and the turn.
+/// Writes files at their paths, unless `enough`; `folder`: where the stage is, and the turn. True if they were written.
 fn write<P: AsRef<Path>, C: AsRef<[u8]>>(
     folder: &Path,
     files: &[(P, C)],
     bond: Bond,
-) -> Result<(), OutputError> {
+    enough: impl Fn() -> bool,
+) -> Result<bool, OutputError> {
+    if enough() {
+        return Ok(false);
+    }
     make_folder(folder)?;
     let paths: Vec<&Path> = files.iter().map(|(path, _)| path.as_ref()).collect();
     for path in &paths {
@@ -132,6 +147,9 @@ fn write<P: AsRef<Path>, C: AsRef<[u8]>>(
         Stage::new(folder).map_err(failed(folder))?
     };
     for (number, (path, content)) in files.iter().enumerate() {
+        if enough() {
+            return Ok(false);
+        }
         let written = stage.put(number, content.as_ref());
         written.map_err(failed(path.as_ref()))?;
     }
@@ -139,11 +157,12 @@ fn write<P: AsRef<Path>, C: AsRef<[u8]>>(
     publish(&stage, &paths, bond)?;
     // before the turn ends: nobody shall take what is left of it for somebody else's
     drop(stage);
-    Ok(())
+    Ok(true)
 }
 
 /// Gives the files of a stage their names.
 fn publish(stage: &Stage, paths: &[&Path], bond: Bond) -> Result<(), OutputError> {
+    let _whole = stage::in_one_piece();
     if let ([_, .., sign], Bond::Sign) = (paths, bond) {
         match fs::remove_file(sign) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(failed(sign)(error)),

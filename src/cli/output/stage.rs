@@ -7,6 +7,7 @@ use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::{Builder, TempDir};
 
 /// How the name of a stage begins; earlier versions named single files so.
@@ -21,6 +22,28 @@ const RANDOM: usize = 6;
 /// The file that a living writer has locked.
 const ALIVE: &str = "alive";
 
+/// The stages of this program.
+static STAGES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn stages() -> MutexGuard<'static, Vec<PathBuf>> {
+    STAGES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// While the answer is held, [`abandon`] waits: a set gets its names or none.
+pub fn in_one_piece() -> impl Drop {
+    stages()
+}
+
+/// Removes the stages of this program; while the answer is held, none is begun and no file gets its name. For the end of the program.
+pub fn abandon() -> impl Drop {
+    let mut stages = stages();
+    for stage in stages.drain(..) {
+        // there is nobody left to tell
+        remove_stage(&stage).ok();
+    }
+    stages
+}
+
 /// Files that are whole before anybody sees them under their names. What is left of it goes when it is dropped.
 #[derive(Debug)]
 pub struct Stage {
@@ -34,7 +57,10 @@ impl Stage {
     pub fn new(folder: &Path) -> io::Result<Self> {
         let mut builder = Builder::new();
         builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
+        let mut stages = stages();
         let folder = builder.tempdir_in(folder)?;
+        stages.push(folder.path().to_owned());
+        drop(stages);
         let alive = File::create_new(folder.path().join(ALIVE))?;
         // where the file system has no locks nobody can find out that this is no leftover, and nobody removes one
         alive.try_lock().ok();
@@ -69,6 +95,12 @@ impl Stage {
             }
             renamed => renamed,
         }
+    }
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        stages().retain(|stage| stage != self.folder.path());
     }
 }
 

@@ -3,6 +3,7 @@
 mod connections;
 
 use super::arguments::PlayArguments;
+use super::exit::Exit;
 use super::{Failure, scene, terminal};
 use crate::web::{self, Problem, Response, Site, Turn, Turns, Unread};
 use connections::{Connections, Doing, Entered, Place, end};
@@ -39,7 +40,7 @@ const LOOK: Duration = Duration::from_millis(25);
 /// Most bytes that are read and thrown away so that a refusal arrives: a socket closed with bytes unread takes back what was sent.
 const THROWN_AWAY: usize = 1024 * 1024;
 
-/// Serves the page until Ctrl-C.
+/// Serves the page until Ctrl-C or SIGTERM.
 pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
     let start = scene::text(&arguments.scene)?;
     let listener = listen(arguments.port)?;
@@ -63,7 +64,8 @@ pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
     while !cancelled.load(Ordering::Relaxed) {
         thread::sleep(LOOK);
     }
-    Ok(ExitCode::SUCCESS)
+    // a server that its user stopped has finished
+    Ok(Exit::Finished.into())
 }
 
 /// A socket on this machine alone.

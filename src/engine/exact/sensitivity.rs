@@ -217,8 +217,9 @@ impl Influence {
 
 /// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
 ///
-/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for.
-pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
+/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for; and where
+/// the user asked to stop.
+pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>) -> Vec<Influence> {
     if !trace.ending.is_complete() && until > trace.end_time {
         return Vec::new();
     }
@@ -251,7 +252,7 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64) -> Vec<Influence> {
     replay.restitution =
         [Input::BallRestitution, Input::CushionRestitution].map(|e| seeded(e, 1.0));
     for _ in trace.events.iter().take_while(|event| event.time < until) {
-        if !matches!(replay.step(), Some(Ok(_))) {
+        if limits.is_cancelled() || !matches!(replay.step(), Some(Ok(_))) {
             return Vec::new();
         }
     }

@@ -37,7 +37,15 @@ pub fn fragment(document: &Document) -> String {
         pages: &pages,
         in_site: false,
     };
-    lead(document) + &blocks::all(&place)
+    stopped(document) + &lead(document) + &blocks::all(&place)
+}
+
+/// What stands first where the user asked to stop.
+fn stopped(document: &Document) -> String {
+    let words = document.stopped_early.as_deref();
+    words.map_or_else(String::new, |words| {
+        format!("<p role=\"note\"><strong>{}</strong></p>\n", escape(words))
+    })
 }
 
 /// Words of a page, in one line: what is markup is itself, and what nobody would see is shown.
@@ -115,7 +123,12 @@ fn page(pages: &Pages, index: usize) -> String {
     );
     html += &bar(pages, index);
     html += &contents;
-    html += &format!("<main id=\"main\">\n<h1>{}</h1>\n", escape(&document.title));
+    // a part of what was stopped is read by itself
+    html += &format!(
+        "<main id=\"main\">\n{}<h1>{}</h1>\n",
+        stopped(first.document),
+        escape(&document.title)
+    );
     html += &lead(document);
     html += &blocks;
     html += &unlinked(pages, index);

@@ -25,6 +25,7 @@ pub use promises::Broken;
 pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash, random_plan};
 pub use written::{WRITTEN, unheld};
 
+use super::Extent;
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
 use super::stability::{Oracle, PlanError, ask_oracles, tried};
@@ -112,6 +113,8 @@ pub struct Outcome {
     pub cases: Vec<Case>,
     /// Promises that do not hold.
     pub broken: Vec<Broken>,
+    /// Tasks that were done, of those that had to be; fewer only if the user asked to stop.
+    pub extent: Extent,
     /// Scene, engine and digest of events and final states: the same digest means the same bits.
     pub bits: Vec<(String, String, String)>,
     /// Number and fingerprint of the random scenes; `None` where none were asked for.
@@ -238,6 +241,10 @@ fn conclude(
         findings: Vec::new(),
         cases: Vec::new(),
         broken: Vec::new(),
+        extent: Extent::of(
+            answers.iter().flatten().count() as u64,
+            answers.len() as u64,
+        ),
         bits: Vec::new(),
         random: None,
         ulps: BTreeMap::new(),
@@ -352,6 +359,11 @@ impl Outcome {
     pub fn names(&self) -> Vec<&str> {
         let scenes = self.scenes.iter().map(|scene| scene.name.as_str());
         scenes.chain(self.random.iter().map(|_| RANDOM)).collect()
+    }
+
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        self.extent.stopped_early("tasks of the check were done")
     }
 
     /// Cases that did not run to their end.

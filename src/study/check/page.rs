@@ -22,6 +22,7 @@ type Changed<'a> = &'a dyn Fn(&str, &str, Level) -> Against;
 pub fn summary(outcome: &Outcome, changed: Changed<'_>) -> Document {
     Document {
         id: "check".to_owned(),
+        stopped_early: outcome.stopped_early(),
         title: "Check".to_owned(),
         lead: lead(outcome),
         blocks: vec![Block::Table(scenes(outcome, changed))],
@@ -48,6 +49,7 @@ fn lead(outcome: &Outcome) -> String {
     );
     let broken = outcome.broken.len();
     let promises = match broken {
+        0 if outcome.extent.is_cut_short() => "nothing that ran breaks a promise".to_owned(),
         0 => "every promised invariant holds".to_owned(),
         1 => "1 promised invariant does not hold".to_owned(),
         more => format!("{more} promised invariants do not hold"),
@@ -151,6 +153,8 @@ fn cell(
         Cell::verdict(Tone::Bad, format!("{missing} not run"))
     } else if broken > 0 {
         Cell::verdict(Tone::Bad, format!("{broken} broken"))
+    } else if outcome.extent.is_cut_short() {
+        Cell::verdict(Tone::Quiet, "ran, not held")
     } else if moved > 0 {
         Cell::verdict(Tone::Bad, format!("{moved} changed"))
     } else if stands.contains(&Against::NotHeld) {

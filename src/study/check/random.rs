@@ -60,7 +60,7 @@ pub fn random_command(engine: &str, scene: Option<u64>) -> String {
 /// Fingerprint of the scenes of a plan: other scenes have other counts.
 pub fn random_hash(plan: &Plan) -> String {
     let mut hash = Sha256::new();
-    for index in plan.first..plan.first.saturating_add(plan.scenes) {
+    for index in plan.indices() {
         hash.update(random::text(plan.seed, index).unwrap_or_default());
         hash.update([0]);
     }
@@ -75,7 +75,8 @@ impl Outcome {
         let plan = &found.plan;
         self.random = Some((plan.scenes, random_hash(plan)));
         let labels: Vec<String> = plan.columns.iter().map(Column::label).collect();
-        let ran = found.done == plan.scenes;
+        self.extent.add(found.extent());
+        let ran = !found.extent().is_cut_short();
         for (label, entry) in labels.iter().zip(&found.entries) {
             self.cases.push(Case {
                 scene: RANDOM.to_owned(),

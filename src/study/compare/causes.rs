@@ -79,9 +79,17 @@ pub(super) fn find_causes(outcome: &mut Outcome, watch: Watch<'_>) {
     let mut causes = Vec::new();
     if let Some(reference) = outcome.reference.and_then(|i| outcome.entries[i].trace()) {
         for entry in &outcome.entries {
-            causes.push(entry.standing.as_ref().and_then(|standing| {
-                cause(&outcome.scene, &entry.column, standing, reference, watch)
-            }));
+            let standing = entry.standing.as_ref();
+            let Some(standing) = standing.filter(|standing| standing.order.parting.is_some())
+            else {
+                causes.push(None);
+                continue;
+            };
+            // a remedy that did not come to its end did not fail to cure
+            let found =
+                watch.whole(|| cause(&outcome.scene, &entry.column, standing, reference, watch));
+            outcome.extent.count(found.is_some());
+            causes.push(found.flatten());
         }
     }
     for (entry, cause) in outcome.entries.iter_mut().zip(causes) {

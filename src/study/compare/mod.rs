@@ -22,11 +22,12 @@ pub use words::{
     describe_scene, describe_span,
 };
 
+use super::Extent;
 use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
 use crate::engine::exact::Exact;
 use crate::engine::exact::horizon::{Horizon, horizon};
-use crate::engine::{self, ENGINES, Limits};
+use crate::engine::{self, ENGINES, Limits, Refusal};
 use crate::finding::Finding;
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
@@ -51,6 +52,8 @@ pub struct Outcome {
     pub pairs: Vec<PairOutcome>,
     /// Every number, with its address.
     pub findings: Vec<Finding>,
+    /// Runs, searches and horizons that were done, of those that were to be done.
+    pub extent: Extent,
 }
 
 /// One engine with one setting.
@@ -110,6 +113,13 @@ impl Outcome {
         self.findings
             .iter()
             .filter(move |f| f.engine == engine && f.metric == metric)
+    }
+
+    /// True where the user asked to stop before a run of this engine had come to its end.
+    pub fn was_stopped(&self, engine: &str) -> bool {
+        let own = |entry: &&Entry| entry.column.engine.id() == engine;
+        let mut own = self.entries.iter().filter(own);
+        own.any(|entry| matches!(entry.cell, Err(Refusal::Stopped)))
     }
 
     /// Time up to which the reference can be believed, s; infinite for a whole shot, and where nothing is known.
@@ -189,8 +199,13 @@ pub fn study_within(
 ) -> Outcome {
     let record = Record::Every(CADENCE);
     let cells = matrix::run_row_within(scene, columns, record, timing, limits, watch);
-    let model = richer.and_then(|richer| model_error(scene, richer, columns, &cells, watch));
+    let model =
+        richer.map(|richer| limits.whole(|| model_error(scene, richer, columns, &cells, watch)));
     let mut outcome = conclude(scene, columns, cells, limits);
+    if let Some(model) = &model {
+        outcome.extent.count(model.is_some());
+    }
+    let model = model.flatten().flatten();
     for standing in outcome
         .entries
         .iter_mut()
@@ -220,14 +235,20 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits
         horizon: None,
         pairs: Vec::new(),
         findings: Vec::new(),
+        extent: Extent::default(),
     };
+    for entry in &outcome.entries {
+        let stopped = matches!(entry.cell, Err(Refusal::Stopped));
+        outcome.extent.count(!stopped);
+    }
     match reference(&outcome.entries) {
         Ok(index) => {
             outcome.reference = Some(index);
-            outcome.horizon = Exact::precision(&columns[index].setting)
-                .and_then(|precision| horizon(scene, precision, false, limits))
-                // what was cut short says nothing
-                .filter(|_| !limits.is_cancelled());
+            if let Some(precision) = Exact::precision(&columns[index].setting) {
+                let found = limits.whole(|| horizon(scene, precision, false, limits));
+                outcome.extent.count(found.is_some());
+                outcome.horizon = found.flatten();
+            }
         }
         Err(why) => outcome.no_reference = Some(why),
     }

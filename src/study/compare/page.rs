@@ -9,6 +9,9 @@ use super::words::{describe_ending, describe_horizon, describe_scene};
 use super::{Outcome, PairOutcome, Standing, figures, parting, replay};
 use crate::finding::{Block, Cell, Document};
 
+/// What the parts of a comparison are, for one that was stopped.
+pub const PARTS: &str = "runs and searches of the comparison came to their end";
+
 /// What the terminal shows of one scene.
 pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
     let scale = Scale::new(outcome, unit);
@@ -24,6 +27,7 @@ pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
     blocks.extend(pair_table(outcome, &scale).map(Block::Table));
     Document {
         id: outcome.scene.name.clone(),
+        stopped_early: outcome.extent.stopped_early(PARTS),
         title: outcome.scene.name.clone(),
         lead: headline(outcome),
         blocks,
@@ -104,7 +108,11 @@ pub fn headline(outcome: &Outcome) -> String {
     });
     let mut sentences: Vec<String> = sentences.collect();
     if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
-        sentences.push(format!("No single right answer: {why}"));
+        let what = match outcome.was_stopped("exact") {
+            true => "Nothing to hold the engines against",
+            false => "No single right answer",
+        };
+        sentences.push(format!("{what}: {why}"));
         sentences.extend(
             outcome
                 .pairs

@@ -72,7 +72,7 @@ pub fn find(outcome: &mut Outcome, runs: &mut Runs<'_>) {
 fn of_family(outcome: &Outcome, index: usize, runs: &mut Runs<'_>) -> Option<Cause> {
     let measured = &outcome.families[index];
     let kind = measured.verdict?.kind;
-    if kind == Kind::Converging || runs.watch.is_cancelled() {
+    if kind == Kind::Converging {
         return None;
     }
     let finest = measured.points.last()?;
@@ -93,8 +93,9 @@ fn of_family(outcome: &Outcome, index: usize, runs: &mut Runs<'_>) -> Option<Cau
         .iter()
         .map(|change| change.level.clone())
         .collect();
-    let errors = runs.errors(&levels);
-    for (change, (errors, _)) in differing.into_iter().zip(errors) {
+    // what was not tried is not innocent
+    let errors: Option<Vec<_>> = runs.errors(&levels).into_iter().collect();
+    for (change, (errors, _)) in differing.into_iter().zip(errors?) {
         if let Some(after) = judged(kind, &errors) {
             cause.tried.push(Substitution {
                 knob: change.knob,

@@ -24,11 +24,12 @@ pub use price::{Offer, Price, PriceList, THRESHOLDS, cheapest, front, noise, off
 pub use quantity::{Errors, Quantity};
 pub use verdict::{Fit, Kind, Verdict};
 
+use super::Extent;
 use super::compare::{default_columns, describe_ending};
 use super::matrix::{self, Column, Effort, Job, Timed, Watch};
 use crate::engine::exact::horizon::horizon;
 use crate::engine::exact::{Exact, Precision};
-use crate::engine::{Limits, Refusal, Setting};
+use crate::engine::{Limits, Setting};
 use crate::math::statistics::Distribution;
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
@@ -54,8 +55,26 @@ pub struct Outcome {
     pub closest_hits: Option<f64>,
     /// Every family, in the order of the engines.
     pub families: Vec<Measured>,
-    /// Whether the user asked to stop before everything was run.
-    pub cancelled: bool,
+    /// Levels that were run from every start and timed, of those planned; a level that its engine refuses is done.
+    pub levels: Extent,
+    /// Whether the user asked to stop before everything was done: every level, and the searches for what holds errors.
+    pub stopped: bool,
+}
+
+impl Outcome {
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        if !self.stopped {
+            return None;
+        }
+        let levels = self
+            .levels
+            .stopped_early("settings were both run and timed");
+        Some(levels.unwrap_or_else(|| {
+            "This was stopped early: every setting was run and timed, and not everything that says why they err."
+                .to_owned()
+        }))
+    }
 }
 
 /// A family with what its runs gave.
@@ -65,7 +84,9 @@ pub struct Measured {
     pub family: Family,
     /// One entry a level.
     pub points: Vec<Point>,
-    /// How its errors fall; `None` where nothing ran.
+    /// Whether every level was run from every start; otherwise the user asked to stop before.
+    pub whole: bool,
+    /// How its errors fall; `None` where nothing ran, and for a family that is not whole.
     pub verdict: Option<Verdict>,
     /// Which setting is responsible where they do not; `None` where nothing has to be explained or the search was not run.
     pub cause: Option<Cause>,
@@ -76,8 +97,10 @@ pub struct Measured {
 pub struct Point {
     /// What was run.
     pub level: Level,
-    /// Errors of each start; fewer than planned if the user asked to stop.
+    /// Errors of each start; empty if the user asked to stop before all of them were run.
     pub errors: Vec<Errors>,
+    /// Whether every start was run; otherwise the user asked to stop before.
+    pub whole: bool,
     /// Every effective parameter; empty where nothing ran.
     pub parameters: Parameters,
     /// Its time; `None` if the user asked to stop before.
@@ -137,20 +160,12 @@ fn oracle_column() -> Column {
     }
 }
 
-/// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine.
-///
-/// Errors: a setting that an engine refuses, whatever the scene.
-pub fn study(
-    scene: &Scene,
-    named: &[Column],
-    grid: Grid,
-    watch: Watch<'_>,
-) -> Result<Outcome, Refusal> {
-    for column in named {
-        column.engine.pace(scene, &column.setting)?;
-    }
+/// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine. One that refuses its
+/// setting is a family without levels that says why.
+pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> Outcome {
     let mut scene = scene.clone();
-    let certain_until = believed(&scene, watch);
+    let believed = watch.whole(|| believed(&scene, watch));
+    let certain_until = believed.flatten();
     if let Some(until) = certain_until {
         scene.duration = until;
     }
@@ -165,8 +180,12 @@ pub fn study(
         |_| {},
         |_, ran| ran,
     ));
+    let stopped = believed.is_none() || base.is_none();
     let (base, no_oracle) = match base {
-        None => (None, Some("the user asked to stop".to_owned())),
+        None => (
+            None,
+            Some("the exact run was stopped before its end".to_owned()),
+        ),
         Some(Err(refusal)) => (None, Some(format!("exact {refusal}"))),
         Some(Ok(trace)) if trace.ending.is_complete() => (Some(trace), None),
         Some(Ok(trace)) => {
@@ -191,7 +210,8 @@ pub fn study(
         simulated,
         closest_hits,
         families: Vec::new(),
-        cancelled: false,
+        levels: Extent::default(),
+        stopped: false,
         scene,
     };
     let planned = families
@@ -206,10 +226,10 @@ pub fn study(
         done: AtomicU64::new(0),
         planned: planned.sum(),
         watch,
+        stopped,
     };
     runs.fill(&mut outcome, families);
-    outcome.cancelled = watch.is_cancelled();
-    Ok(outcome)
+    outcome
 }
 
 /// Simulated time until the last of the default engines comes to its end, s: what a shot takes where the oracle does not know.
@@ -263,6 +283,8 @@ struct Runs<'a> {
     done: AtomicU64,
     planned: f64,
     watch: Watch<'a>,
+    /// Whether anything was left out because the user asked to stop.
+    stopped: bool,
 }
 
 /// How often a cell is timed.
@@ -294,19 +316,28 @@ impl<'a> Runs<'a> {
             .collect();
         let mut errors = self.errors(&levels).into_iter();
         for family in families {
+            let mut whole = true;
             let points: Vec<Point> = family
                 .levels
                 .iter()
                 .zip(errors.by_ref())
-                .map(|(level, (errors, parameters))| Point {
-                    level: level.clone(),
-                    errors,
-                    parameters,
-                    timed: None,
+                .map(|(level, found)| {
+                    let of_level = found.is_some();
+                    whole &= of_level;
+                    let (errors, parameters) = found.unwrap_or_default();
+                    Point {
+                        whole: of_level,
+                        level: level.clone(),
+                        errors,
+                        parameters,
+                        timed: None,
+                    }
                 })
                 .collect();
             outcome.families.push(Measured {
-                verdict: verdict::judge(&points),
+                // a ladder that lacks a rung says nothing about how errors fall
+                verdict: whole.then(|| verdict::judge(&points)).flatten(),
+                whole,
                 cause: None,
                 points,
                 family,
@@ -314,10 +345,12 @@ impl<'a> Runs<'a> {
         }
         cause::find(outcome, &mut self);
         self.time(outcome);
+        outcome.stopped = self.stopped || outcome.levels.is_cut_short();
     }
 
-    /// Errors of every start of every level, and the effective parameters of the level.
-    fn errors(&mut self, levels: &[Level]) -> Vec<(Vec<Errors>, Parameters)> {
+    /// Errors of every start of every level, and the effective parameters of the level; `None` for a level of which a start was not run
+    /// to its end because the user asked to stop.
+    fn errors(&mut self, levels: &[Level]) -> Vec<Option<(Vec<Errors>, Parameters)>> {
         for level in levels {
             self.start(level);
         }
@@ -349,13 +382,18 @@ impl<'a> Runs<'a> {
                 measured.unwrap_or_default()
             },
         );
-        let mut found = vec![(Vec::new(), Parameters::new()); levels.len()];
-        for ((k, _), (errors, parameters)) in
-            owners.iter().zip(ran).filter_map(|(o, r)| Some((o, r?)))
-        {
-            found[*k].0.push(errors);
-            found[*k].1 = parameters;
+        let mut found = vec![Some((Vec::new(), Parameters::new())); levels.len()];
+        for ((k, _), ran) in owners.iter().zip(ran) {
+            let level = &mut found[*k];
+            match (level.as_mut(), ran) {
+                (Some((all, of_level)), Some((errors, parameters))) => {
+                    all.push(errors);
+                    *of_level = parameters;
+                }
+                _ => *level = None,
+            }
         }
+        self.stopped |= found.iter().any(Option::is_none);
         found
     }
 
@@ -405,9 +443,6 @@ impl<'a> Runs<'a> {
         let work = |&(f, p): &(usize, usize)| self.work(&outcome.families[f].points[p].level);
         order.sort_by(|a, b| work(a).total_cmp(&work(b)));
         for (f, p) in order {
-            if self.watch.is_cancelled() {
-                return;
-            }
             let level = &outcome.families[f].points[p].level;
             let column = Column {
                 setting: level.column.engine.awake(&level.column.setting),
@@ -416,7 +451,11 @@ impl<'a> Runs<'a> {
             let work = plan::TIMING_RUNS * self.work(level);
             let timed = matrix::time_alone(self.scene, &column, EFFORT, self.watch.cancelled);
             self.tell(work, &format!("timing {}", column.label()));
-            outcome.families[f].points[p].timed = timed.ok().flatten();
+            // one that its engine refuses has no time, and lacks none
+            let has_time = !matches!(timed, Ok(None));
+            let point = &mut outcome.families[f].points[p];
+            point.timed = timed.ok().flatten();
+            outcome.levels.count(has_time && point.whole);
         }
     }
 }

@@ -7,6 +7,10 @@ use crate::study::compare::{describe_scene, describe_span};
 /// What the terminal shows.
 pub fn summary(outcome: &Outcome) -> Document {
     let mut blocks = opening(outcome);
+    if outcome.levels.is_cut_short() {
+        blocks.extend(what_was_run(outcome));
+        return document(outcome, blocks);
+    }
     blocks.push(Block::Table(tables::cheapest_in_short(outcome)));
     blocks.extend(tables::rankings(outcome).into_iter().map(Block::Table));
     blocks.push(Block::Table(tables::families(outcome)));
@@ -18,6 +22,11 @@ pub fn summary(outcome: &Outcome) -> Document {
 pub fn page(outcome: &Outcome) -> Document {
     let mut blocks = vec![Block::Text(outcome.scene.description.clone())];
     blocks.extend(opening(outcome));
+    if outcome.levels.is_cut_short() {
+        blocks.extend(what_was_run(outcome));
+        blocks.push(Block::Command(command(outcome)));
+        return document(outcome, blocks);
+    }
     blocks.extend(figures::main(outcome).map(Block::Figure));
     blocks.push(Block::Table(tables::cheapest(outcome)));
     blocks.extend(tables::rankings(outcome).into_iter().map(Block::Table));
@@ -30,9 +39,15 @@ pub fn page(outcome: &Outcome) -> Document {
     document(outcome, blocks)
 }
 
+/// What a study says that was stopped: which setting is cheapest takes all of them, what each does takes itself alone.
+fn what_was_run(outcome: &Outcome) -> [Block; 2] {
+    [tables::families(outcome), tables::settings(outcome)].map(Block::Table)
+}
+
 fn document(outcome: &Outcome, blocks: Vec<Block>) -> Document {
     Document {
         id: format!("cost-{}", outcome.scene.name),
+        stopped_early: outcome.stopped_early(),
         title: format!("{}: what accuracy costs", outcome.scene.name),
         lead: words::sentence(outcome),
         blocks,
@@ -42,20 +57,6 @@ fn document(outcome: &Outcome, blocks: Vec<Block>) -> Document {
 
 fn opening(outcome: &Outcome) -> Vec<Block> {
     let mut blocks = vec![Block::Text(describe_scene(&outcome.scene))];
-    if outcome.cancelled {
-        let points = || {
-            outcome
-                .families
-                .iter()
-                .flat_map(|measured| &measured.points)
-        };
-        let measured = points().filter(|point| !point.errors.is_empty() && point.timed.is_some());
-        blocks.push(Block::Text(format!(
-            "Cancelled: {} of {} settings were both run and timed, and what follows concludes from them.",
-            measured.count(),
-            points().count()
-        )));
-    }
     if let Some(until) = outcome.certain_until {
         blocks.push(Block::Text(format!(
             "The scene is studied up to {}: beyond, the oracle itself cannot be believed (carom horizon {}).",

@@ -120,6 +120,18 @@ impl Family {
         .to_owned()
     }
 
+    /// What stands for an engine that refuses what was set for it, whatever the ladder.
+    fn refused(column: &Column, refusal: Refusal) -> Family {
+        Family {
+            name: "any",
+            knob: None,
+            levels: Vec::new(),
+            left_out: Vec::new(),
+            refusal: Some(refusal),
+            given: column.clone(),
+        }
+    }
+
     fn leave_out(&mut self, too_long: impl Fn(&Level) -> bool) {
         let (out, kept): (Vec<Level>, Vec<Level>) = self.levels.drain(..).partition(too_long);
         self.levels = kept;
@@ -145,6 +157,10 @@ pub fn families(scene: &Scene, named: &[Column], grid: Grid, until: f64) -> Vec<
     let mut families: Vec<Family> = Vec::new();
     let mut deep = 0.0;
     for column in columns {
+        if let Err(refusal) = column.engine.pace(scene, &column.setting) {
+            families.push(Family::refused(column, refusal));
+            continue;
+        }
         for (name, ladder) in column.engine.ladders() {
             let mut settings: Vec<Setting> = Vec::new();
             for step in ladder {

@@ -18,6 +18,9 @@ pub fn sentence(outcome: &Outcome) -> String {
             why.trim_end_matches('.')
         );
     }
+    if outcome.levels.is_cut_short() {
+        return "Which setting is the cheapest is not known: that takes all of them.".to_owned();
+    }
     let offers = price::offers(outcome, Quantity::FinalPosition);
     if offers.is_empty() {
         return "Nothing was both run and timed.".to_owned();
@@ -130,6 +133,7 @@ pub fn why(outcome: &Outcome, measured: &Measured) -> String {
         return format!("does not run: {refusal}");
     }
     match measured.verdict.map(|verdict| (verdict, verdict.kind)) {
+        _ if !measured.whole => parts.push("its levels were not all run".to_owned()),
         None if measured
             .points
             .iter()

@@ -8,6 +8,7 @@ mod shots_2014;
 mod squirt;
 mod throw;
 
+use super::Extent;
 use super::matrix::{self, Column, Timing, Watch};
 use crate::finding::{
     Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
@@ -56,13 +57,23 @@ pub fn study(columns: &[Column], watch: Watch<'_>) -> Result<Document, SceneErro
         ("rebound", rebound::curve),
     ];
     let lab = Lab { columns, watch };
+    let mut extent = Extent::default();
     for (done, (name, part)) in parts.into_iter().enumerate() {
         (watch.progress)(done, parts.len() + 1, name);
-        found.push((name, part(&lab)?));
+        // a curve that lacks points says nothing about how far an engine is from it
+        let curve = watch.whole(|| part(&lab));
+        extent.count(curve.is_some());
+        if let Some(curve) = curve {
+            found.push((name, curve?));
+        }
     }
     (watch.progress)(parts.len(), parts.len() + 1, "five shots of a paper");
-    let shots = shots_2014::table(&lab)?;
-    Ok(page(&found, shots, columns))
+    let shots = watch.whole(|| shots_2014::table(&lab));
+    extent.count(shots.is_some());
+    Ok(Document {
+        stopped_early: extent.stopped_early("families of curves were run in every engine"),
+        ..page(&found, shots.transpose()?, columns)
+    })
 }
 
 /// Where points are run.
@@ -161,13 +172,13 @@ fn velocity_after(trace: &Trace, ball: usize) -> Option<crate::math::Vec3> {
     Some(far.state.velocity)
 }
 
-fn page(found: &[(&str, Curve)], shots: Table, columns: &[Column]) -> Document {
+fn page(found: &[(&str, Curve)], shots: Option<Table>, columns: &[Column]) -> Document {
     let mut blocks: Vec<Block> = Vec::new();
     for (_, curve) in found {
         blocks.extend(curve.figures.iter().cloned().map(Block::Figure));
     }
     blocks.push(Block::Table(departure_table(found)));
-    blocks.push(Block::Table(shots));
+    blocks.extend(shots.map(Block::Table));
     let labels: Vec<String> = columns
         .iter()
         .map(|c| c.label().replace(' ', ":"))
@@ -178,6 +189,7 @@ fn page(found: &[(&str, Curve)], shots: Table, columns: &[Column]) -> Document {
     )));
     Document {
         id: "effect-curves".to_owned(),
+        stopped_early: None,
         title: "Throw, squirt and rebound against published curves".to_owned(),
         lead: sentence(found),
         blocks,
@@ -198,7 +210,7 @@ fn sentence(found: &[(&str, Curve)]) -> String {
     if let Some(first) = text.get_mut(0..1) {
         first.make_ascii_uppercase();
     }
-    text + "."
+    if text.is_empty() { text } else { text + "." }
 }
 
 fn departure_table(found: &[(&str, Curve)]) -> Table {

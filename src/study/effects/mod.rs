@@ -17,6 +17,7 @@ pub use optional::{Optional, dependents, present, reduced};
 pub use page::{page, summary};
 pub use plan::{Plan, Rung, Variant, WHOLE};
 
+use super::Extent;
 use super::compare::describe_ending;
 use super::matrix::{self, Cell, Column, Timing, Watch};
 use crate::scene::{Scene, SceneError};
@@ -64,18 +65,13 @@ pub fn study(
     };
     let mut cells = Vec::new();
     for (done, row) in plan.rows.iter().enumerate() {
-        if watch.is_cancelled() {
-            break;
-        }
         let what = format!("{} with {}", row.name, row.effects.named().join(" "));
         (watch.progress)(done, plan.rows.len(), &what);
-        cells.push(matrix::run_row(
-            row,
-            columns,
-            Record::Events,
-            Timing::Alone,
-            silent,
-        ));
+        // a row that not every engine has run says nothing
+        let ran =
+            silent.whole(|| matrix::run_row(row, columns, Record::Events, Timing::Alone, silent));
+        let Some(ran) = ran else { break };
+        cells.push(ran);
     }
     Ok(conclude(plan, columns, threshold, cells))
 }
@@ -101,6 +97,12 @@ fn conclude(plan: Plan, columns: &[Column], threshold: f64, cells: Vec<Vec<Cell>
 }
 
 impl Outcome {
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        Extent::of(self.cells.len() as u64, self.plan.rows.len() as u64)
+            .stopped_early("combinations of effects were run in every engine")
+    }
+
     /// The run of a row in a column, whatever its end; `None` after a refusal.
     pub fn trace(&self, row: usize, column: usize) -> Option<&Trace> {
         let cell = self.cells.get(row)?.get(column)?;

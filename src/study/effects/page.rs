@@ -8,13 +8,6 @@ use crate::study::compare::describe_scene;
 pub fn summary(outcome: &Outcome) -> Document {
     let plan = &outcome.plan;
     let mut blocks = vec![Block::Text(describe_scene(&plan.scene))];
-    if outcome.cells.len() < plan.rows.len() {
-        blocks.push(Block::Text(format!(
-            "Cancelled: {} of {} combinations of effects were run, and what follows concludes from them.",
-            outcome.cells.len(),
-            plan.rows.len()
-        )));
-    }
     blocks.extend(words::time(outcome).map(Block::Text));
     let found = [
         tables::without(outcome),
@@ -27,6 +20,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     blocks.extend(found.into_iter().flatten().map(Block::Table));
     Document {
         id: format!("effects-{}", plan.scene.name),
+        stopped_early: outcome.stopped_early(),
         title: format!("{}: what its effects are worth", plan.scene.name),
         lead: words::sentence(outcome),
         blocks,

@@ -7,7 +7,7 @@ use crate::study::compare::describe_span;
 pub fn sentence(outcome: &Outcome) -> String {
     let name = &outcome.plan.scene.name;
     if outcome.cells.is_empty() {
-        return format!("Cancelled before {name} was run.");
+        return format!("{name} was not run, so what its effects are worth is unknown.");
     }
     let Some(column) = outcome.reference else {
         let whys = (0..outcome.columns.len()).filter_map(|column| outcome.why_not(WHOLE, column));

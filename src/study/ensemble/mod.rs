@@ -19,6 +19,7 @@ pub use orders::Frequent;
 pub use page::{page, summary};
 pub use spread::{surround, surroundings};
 
+use super::Extent;
 use super::matrix::{self, Column, Watch};
 use crate::engine::Refusal;
 use crate::math::statistics::Distribution;
@@ -94,6 +95,21 @@ pub struct Outcome {
     pub tests: Vec<Test>,
     /// The most frequent collision orders.
     pub frequent: Vec<Frequent>,
+    /// How many of them were run once more and put into words; those that were not have none.
+    pub spelled: Extent,
+}
+
+impl Outcome {
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        let samples = Extent::of(self.done as u64, self.plan.samples as u64);
+        samples
+            .stopped_early("samples were run in every engine")
+            .or_else(|| {
+                let what = "orders were put into words, after every sample was run";
+                self.spelled.stopped_early(what)
+            })
+    }
 }
 
 /// One engine in an ensemble.
@@ -211,6 +227,7 @@ fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
     Outcome {
         tests: distribution::tests(&entries, reference, &plan.scene),
         frequent: orders::most_frequent(&entries, reference),
+        spelled: Extent::default(),
         plan,
         law,
         done,

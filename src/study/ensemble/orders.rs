@@ -1,6 +1,7 @@
 //! Which collision orders occur, how often in which engine, and where they part.
 
 use super::{Entry, Order, Outcome};
+use crate::engine::Refusal;
 use crate::scene::Scene;
 use crate::study::compare::describe_kind;
 use crate::study::matrix::{self, Timing, Watch};
@@ -70,7 +71,10 @@ pub(super) fn spell_out(outcome: &mut Outcome, sample: impl Fn(usize) -> Scene, 
         let column = std::slice::from_ref(&outcome.entries[engine].column);
         let scene = sample(index);
         let cells = matrix::run_row(&scene, column, Record::Events, Timing::None, silent);
-        let Some(Ok(ran)) = cells.into_iter().next() else {
+        let cell = cells.into_iter().next();
+        let stopped = matches!(cell, Some(Err(Refusal::Stopped)));
+        outcome.spelled.count(!stopped);
+        let Some(Ok(ran)) = cell else {
             continue;
         };
         if !ran.trace.ending.is_complete() {

@@ -19,18 +19,13 @@ pub fn summary(outcome: &Outcome) -> Document {
         plan.seed
     ));
     blocks.push(Block::List(law));
-    if outcome.done < plan.samples {
-        blocks.push(Block::Text(format!(
-            "Cancelled: {} of {} samples were run in every engine, and what follows concludes from them.",
-            outcome.done, plan.samples
-        )));
-    }
     blocks.push(Block::Table(engine_table(outcome)));
     blocks.extend(agreement_table(outcome).map(Block::Table));
     blocks.push(Block::Table(ball_table(outcome)));
     blocks.push(Block::Table(order_table(outcome)));
     Document {
         id: format!("ensemble-{}", plan.scene.name),
+        stopped_early: outcome.stopped_early(),
         title: format!("{}: an ensemble", plan.scene.name),
         lead: headline(outcome),
         blocks,

@@ -9,6 +9,7 @@ use crate::math::statistics::Distribution;
 use crate::physics::State;
 use crate::scene::Simultaneous;
 use crate::scene::perturb::Law;
+use crate::study::Extent;
 use crate::study::compare;
 use crate::study::matrix::{self, Watch};
 
@@ -19,12 +20,12 @@ const SEED: u64 = 1;
 /// An answer is like the samples if at least this part of all answers lie as far from their nearest neighbour.
 const ALIKE: f64 = 0.02;
 
-/// What a comparison says of a scene that asks for an ensemble; nothing for any other scene.
-pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> Vec<Block> {
+/// What a comparison says of a scene that asks for an ensemble, and whether that was done; nothing for any other scene.
+pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block>, Extent) {
     let scene = &compared.scene;
     let exact = engine::find("exact").map(matrix::Column::of);
     let (Simultaneous::Ensemble, Some(exact)) = (scene.simultaneous, exact) else {
-        return Vec::new();
+        return (Vec::new(), Extent::default());
     };
     let plan = Plan {
         scene: scene.clone(),
@@ -33,10 +34,14 @@ pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> Vec<Block>
         seed: SEED,
         columns: vec![exact],
     };
-    match study(plan, watch) {
+    let Some(found) = watch.whole(|| study(plan, watch)) else {
+        return (Vec::new(), Extent::of(0, 1));
+    };
+    let blocks = match found {
         Ok(outcome) => blocks(compared, &outcome),
         Err(error) => vec![Block::Text(format!("There is no ensemble: {error}."))],
-    }
+    };
+    (blocks, Extent::of(1, 1))
 }
 
 /// Puts blocks before the first table that follows a text, which says whether there is a right answer.

@@ -2,6 +2,7 @@
 
 use super::{Outcome, Reader};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
+use crate::study::Extent;
 
 /// Faults that are shown; the rest is counted.
 const SHOWN: usize = 40;
@@ -10,17 +11,13 @@ const SHOWN: usize = 40;
 pub fn summary(outcome: &Outcome) -> Document {
     let plan = &outcome.plan;
     let done = outcome.done();
+    // no index is beyond the largest number
+    let planned = plan.first.saturating_add(plan.inputs) - plan.first;
     let lead = match outcome.faults {
         0 => format!("{done} mutated inputs were read or refused as they should be."),
         n => format!("{n} faults in {done} mutated inputs."),
     };
     let mut blocks = Vec::new();
-    if done < plan.inputs {
-        blocks.push(Block::Text(format!(
-            "Cancelled: {done} of {} inputs were read.",
-            plan.inputs
-        )));
-    }
     blocks.push(Block::Table(counts(outcome)));
     if outcome.faults > 0 {
         blocks.push(Block::Table(faults(outcome)));
@@ -34,6 +31,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     )));
     Document {
         id: "mutated-inputs".to_owned(),
+        stopped_early: Extent::of(done, planned).stopped_early("inputs were read"),
         title: "Mutated inputs".to_owned(),
         lead,
         blocks,

@@ -12,6 +12,7 @@ pub use laws::Laws;
 pub use page::summary;
 pub use verdict::{Fault, MOST_ENERGY, Verdict, check, check_laws};
 
+use super::Extent;
 use super::matrix::{self, Column, Watch};
 use crate::engine::{Limits, Refusal};
 use crate::physics::invariants::Invariant;
@@ -161,6 +162,8 @@ pub struct Outcome {
     pub plan: Plan,
     /// Scenes that were run in every engine.
     pub done: u64,
+    /// Scenes that were seen to their end: those, and the ones that are at fault themselves.
+    pub seen: u64,
     /// One entry an engine, in the order of the plan.
     pub entries: Vec<Entry>,
     /// Faults in the order of scenes, the first thousand.
@@ -222,10 +225,23 @@ pub fn judge(
 }
 
 impl Outcome {
+    /// What stands before everything else where the user asked to stop before it was done.
+    pub fn stopped_early(&self) -> Option<String> {
+        self.extent()
+            .stopped_early("scenes were run in every engine")
+    }
+
+    /// Scenes that were seen to their end, of those that there are.
+    pub fn extent(&self) -> Extent {
+        let indices = self.plan.indices();
+        Extent::of(self.seen, indices.end - indices.start)
+    }
+
     fn empty(plan: &Plan) -> Self {
         Outcome {
             plan: plan.clone(),
             done: 0,
+            seen: 0,
             entries: vec![Entry::default(); plan.columns.len()],
             failures: Vec::new(),
             faults: 0,
@@ -237,27 +253,32 @@ impl Outcome {
         let seed = self.plan.seed;
         let scene = match caught(|| scene(seed, index)) {
             Ok(Ok(scene)) => scene,
-            Ok(Err(fault)) | Err(fault) => return self.fail(index, String::new(), fault),
+            Ok(Err(fault)) | Err(fault) => {
+                self.seen += 1;
+                return self.fail(index, String::new(), fault);
+            }
         };
         let limits = Limits {
             max_events: self.plan.max_events,
             cancelled,
         };
-        let columns = self.plan.columns.clone();
-        let mut whole = true;
-        for (number, column) in columns.iter().enumerate() {
+        let sweeps = index.is_multiple_of(SWEPT);
+        let mut found = Vec::new();
+        for column in &self.plan.columns {
             let column = column.as_tried(&scene);
-            let sweeps = index.is_multiple_of(SWEPT);
             let judged = caught(|| judge(&scene, &column, &limits, sweeps));
+            // what not every engine has run is nobody's
+            if let Ok(Err(Refusal::Stopped)) = judged {
+                return;
+            }
+            found.push((column, judged));
+        }
+        for (number, (column, judged)) in found.into_iter().enumerate() {
             let entry = &mut self.entries[number];
             let faults = match judged {
                 Err(fault) => vec![fault],
                 Ok(Err(_)) => {
                     *entry.endings.entry("refused").or_default() += 1;
-                    Vec::new()
-                }
-                Ok(Ok((Ending::Cancelled, ..))) => {
-                    whole = false;
                     Vec::new()
                 }
                 Ok(Ok((ending, events, verdict))) => {
@@ -269,7 +290,8 @@ impl Outcome {
                 self.fail(index, column.label(), fault);
             }
         }
-        self.done += u64::from(whole);
+        self.done += 1;
+        self.seen += 1;
     }
 
     fn fail(&mut self, scene: u64, engine: String, fault: Fault) {
@@ -286,6 +308,7 @@ impl Outcome {
     /// Adds what was found of later scenes.
     fn add(&mut self, later: Outcome) {
         self.done += later.done;
+        self.seen += later.seen;
         self.faults += later.faults;
         let room = KEPT - self.failures.len();
         self.failures.extend(later.failures.into_iter().take(room));

@@ -9,16 +9,11 @@ const SHOWN: usize = 40;
 /// What the terminal shows.
 pub fn summary(outcome: &Outcome) -> Document {
     let plan = &outcome.plan;
-    let mut blocks = Vec::new();
-    if outcome.done < plan.scenes && outcome.faults == 0 {
-        blocks.push(Block::Text(format!(
-            "Cancelled: {} of {} scenes were run.",
-            outcome.done, plan.scenes
-        )));
-    }
-    blocks.push(Block::Table(engines(outcome)));
-    blocks.push(Block::Table(endings(outcome)));
-    blocks.push(Block::Table(laws(outcome)));
+    let mut blocks = vec![
+        Block::Table(engines(outcome)),
+        Block::Table(endings(outcome)),
+        Block::Table(laws(outcome)),
+    ];
     if outcome.faults > 0 {
         blocks.push(Block::Table(faults(outcome)));
     }
@@ -39,6 +34,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     ]));
     Document {
         id: "random-scenes".to_owned(),
+        stopped_early: outcome.stopped_early(),
         title: "Random scenes".to_owned(),
         lead: headline(outcome),
         blocks,

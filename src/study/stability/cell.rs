@@ -5,7 +5,7 @@ use super::oracle::{Allowance, Oracle};
 use super::plan::{MOST_EVENTS, Planned};
 use super::rules::{Evidence, Judgement, Place, RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
-use crate::engine::Role;
+use crate::engine::{Refusal, Role};
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
 use crate::math::{Vec3, worse};
 use crate::physics::State;
@@ -298,10 +298,12 @@ pub fn apart(
     map: fn(&State) -> State,
     order: &[usize],
 ) -> Option<f64> {
-    let Ok(Ran { trace: image, .. }) = image else {
-        return Some(f64::INFINITY);
+    let image = match image {
+        Ok(Ran { trace, .. }) => trace,
+        Err(Refusal::Stopped) => return None,
+        Err(_) => return Some(f64::INFINITY),
     };
-    let broken = |trace: &Trace| matches!(trace.ending, Ending::NotFinite(_) | Ending::Cancelled);
+    let broken = |trace: &Trace| matches!(trace.ending, Ending::NotFinite(_));
     if broken(trace) || broken(&image) {
         return None;
     }

@@ -2,6 +2,7 @@
 
 use super::{Outcome, figures, tables, words};
 use crate::finding::{Block, Document};
+use crate::study::Extent;
 use crate::study::compare::{describe_ending, describe_scene};
 
 /// No more scenes than this are shown run by run without a folder for their pages.
@@ -10,13 +11,6 @@ const FEW: usize = 3;
 /// What the terminal shows. `changed`: whether a cell of a scene differs from what was accepted.
 pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
     let mut blocks = Vec::new();
-    if outcome.is_cut_short() {
-        blocks.push(Block::Text(format!(
-            "Cancelled: {} of {} runs are done, and what follows concludes from them.",
-            outcome.done(),
-            outcome.asked
-        )));
-    }
     let broken = outcome.broken_promises();
     if !broken.is_empty() {
         blocks.push(Block::Text("Promised, and broken:".to_owned()));
@@ -31,8 +25,10 @@ pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Docu
             blocks.push(Block::Table(tables::scene(outcome, scene)));
         }
     }
+    let extent = Extent::of(outcome.done() as u64, outcome.asked as u64);
     Document {
         id: "index".to_owned(),
+        stopped_early: extent.stopped_early("runs were judged"),
         title: "Hard cases".to_owned(),
         lead: words::sentence(outcome),
         blocks,
@@ -115,6 +111,7 @@ fn of_scene(outcome: &Outcome, index: usize) -> Document {
     blocks.push(Block::Command(format!("carom stability {}", scene.name)));
     Document {
         id: scene.name.clone(),
+        stopped_early: None,
         title: scene.name.clone(),
         lead: String::new(),
         blocks,

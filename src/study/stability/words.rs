@@ -59,6 +59,7 @@ fn own_models(outcome: &Outcome) -> String {
     let exact = |case: &Case| case.planned.column.engine.id() == "exact";
     let promises = outcome.broken_promises().len();
     let promised = match promises {
+        0 if outcome.is_cut_short() => "Nothing that ran breaks a promise".to_owned(),
         0 => "No promised invariant is broken".to_owned(),
         1 => "One promised invariant is broken".to_owned(),
         n => format!("{n} promised invariants are broken"),

@@ -5,9 +5,12 @@ use crate::trace::{Ending, Extrema, Extremum, Provenance, Spot, Trace};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The keys of `run.json`, in order. Only `parameters` and `counters` may be left out.
+/// The keys of `run.json`, in order. Only `stopped_early`, `parameters` and `counters` may be left out.
 #[derive(Serialize, Deserialize)]
 struct RunFile {
+    /// Only where it is true: the ending says the same, this key is what every command says it by.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    stopped_early: bool,
     engine: String,
     version: String,
     #[serde(default)]
@@ -94,6 +97,7 @@ pub fn write(trace: &Trace) -> Result<String, FileError> {
     };
     let (provenance, extrema) = (&trace.provenance, &trace.extrema);
     let file = RunFile {
+        stopped_early: trace.ending == Ending::Cancelled,
         engine: provenance.engine.clone(),
         version: provenance.version.clone(),
         parameters: provenance.parameters.clone(),
@@ -148,6 +152,13 @@ pub fn read(text: &str, balls: &[String]) -> Result<RunPart, FileError> {
             other: index(e.other)?,
         })
     };
+    let ending = ending(file.ending, balls)?;
+    if file.stopped_early && ending != Ending::Cancelled {
+        return Err(FileError::Value {
+            key: "stopped_early".to_owned(),
+            problem: format!("true, but the run ended as {}", ending.id()),
+        });
+    }
     Ok(RunPart {
         extrema: Extrema {
             energy_gained: extremum("energy_gained", extrema.energy_gained)?,
@@ -166,7 +177,7 @@ pub fn read(text: &str, balls: &[String]) -> Result<RunPart, FileError> {
             rest_speed: file.rest_speed,
         },
         counters: file.counters,
-        ending: ending(file.ending, balls)?,
+        ending,
         end_time: file.end_time,
     })
 }

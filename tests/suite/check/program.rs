@@ -3,8 +3,6 @@
 use super::{SCENES, accept, baselines, check, command, said};
 use crate::accepting::kill_while_accepting;
 use std::fs;
-use std::process::{Command, Stdio};
-use std::time::Duration;
 
 #[test]
 fn the_baselines_of_the_repository_are_met_to_the_bit() {
@@ -158,24 +156,4 @@ fn a_kill_while_accepting_leaves_whole_baselines() {
     let folder = folder.path();
     accept(folder, &SCENES);
     kill_while_accepting(folder, &SCENES, command);
-}
-
-#[cfg(unix)]
-#[test]
-fn ctrl_c_ends_a_check_that_cannot_pass() {
-    // the whole gate takes seconds; it is stopped as soon as it has begun
-    let child = command(&baselines(), &[])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_millis(300));
-    let interrupt = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupt.unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    let said = said(&output);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("did not run to its end"), "{said}");
 }

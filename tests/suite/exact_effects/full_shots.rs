@@ -141,7 +141,7 @@ fn a_mirrored_shot_is_the_mirrored_trace_with_spin_turned_the_other_way() {
 fn derivatives_with_rotation_are_those_of_perturbed_pairs() {
     let scene = everything(HAN, CONSTANT);
     let trace = exact(&scene);
-    let found = influences(&scene, &trace, f64::INFINITY);
+    let found = influences(&scene, &trace, f64::INFINITY, &Limits::NONE);
     let before = solve::<DoubleDouble>(&scene, &Limits::NONE);
     let by = 1e-10;
     let mut compared = 0;

@@ -112,14 +112,17 @@ fn a_shot_that_is_stopped_is_answered_as_far_as_it_came_and_says_so() {
         "{}",
         answer["notice"]
     );
-    assert!(
-        answer["document"]["lead"]
-            .as_str()
-            .unwrap()
-            .contains("cancelled"),
-        "{}",
-        answer["document"]["lead"]
+    let document = &answer["document"];
+    let stopped = document["stopped_early"].as_str().unwrap();
+    assert!(stopped.contains("stopped early"), "{stopped}");
+    let lead = document["lead"].as_str().unwrap();
+    assert_eq!(
+        lead,
+        "Nothing to hold the engines against: exact was stopped before its end."
     );
+    let html = answer["html"].as_str().unwrap();
+    assert!(html.starts_with("<p role=\"note\">"), "{html}");
+    assert_eq!(answer["replay"], Value::Null);
     let (status, answer) = shot(&json!({}), &Never);
     assert_eq!(status, 409);
     assert_eq!(

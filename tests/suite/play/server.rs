@@ -218,10 +218,13 @@ fn what_is_no_scene_is_not_served() {
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_ends_it_with_success() {
-    let mut server = Server::start(&["slide", "--port", "0"]);
-    let pid = server.child.id().to_string();
-    let sent = Command::new("kill").args(["-INT", &pid]).status().unwrap();
-    assert!(sent.success());
-    assert_eq!(server.child.wait().unwrap().code(), Some(0));
+fn ctrl_c_and_sigterm_end_it_with_success() {
+    // a server has no end of its own: whoever stops it has used it as it is meant
+    for signal in ["-INT", "-TERM"] {
+        let mut server = Server::start(&["slide", "--port", "0"]);
+        let pid = server.child.id().to_string();
+        let sent = Command::new("kill").args([signal, &pid]).status().unwrap();
+        assert!(sent.success());
+        assert_eq!(server.child.wait().unwrap().code(), Some(0), "{signal}");
+    }
 }

@@ -16,6 +16,7 @@ const MOST: usize = 1_500_000;
 /// The page of a comparison in a report that has nothing else.
 fn page_of(outcome: &Outcome) -> String {
     let document = Document {
+        stopped_early: None,
         id: "index".to_owned(),
         title: "a report".to_owned(),
         pages: vec![compare::page(outcome)],

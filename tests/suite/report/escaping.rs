@@ -114,6 +114,7 @@ fn document(name: &str, words: &str) -> Document {
         marks: Vec::new(),
     };
     Document {
+        stopped_early: Some(words.into()),
         id: "report".into(),
         title: name.into(),
         lead: words.into(),

@@ -38,6 +38,7 @@ fn small() -> Document {
         }],
     };
     let below = Document {
+        stopped_early: None,
         id: "break".into(),
         title: "The break".into(),
         lead: String::new(),
@@ -48,6 +49,7 @@ fn small() -> Document {
         pages: Vec::new(),
     };
     Document {
+        stopped_early: None,
         id: "report".into(),
         title: "A report".into(),
         lead: "Two of two scenes agree to 1e-3 R.".into(),
@@ -321,6 +323,7 @@ fn a_wide_table_is_split_and_every_part_names_its_rows() {
 fn a_long_command_stays_one_command() {
     let command = format!("carom compare {} --engines exact", "x".repeat(150));
     let document = Document {
+        stopped_early: None,
         blocks: vec![Block::Command(command.clone())],
         ..Document::default()
     };

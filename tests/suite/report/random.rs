@@ -221,6 +221,7 @@ pub fn document() -> impl Strategy<Value = Document> {
             prop::collection::vec(block(), 0..4),
         )
             .prop_map(|([id, title, lead], blocks)| Document {
+                stopped_early: None,
                 id,
                 title,
                 lead,

@@ -337,6 +337,7 @@ fn scene_page(name: &str) -> Document {
         ]
     });
     Document {
+        stopped_early: None,
         id: name.into(),
         title: name.into(),
         lead: "The stepper and rapier-f64 part at event 10, 1.02 s after the shot: two hits are 78 us apart and the stepper resolves 1000 us.".into(),
@@ -388,6 +389,7 @@ pub fn report() -> Document {
     let page = scene_page("report-break");
     let pages = scenes.rows.iter().filter_map(|row| match &row[0] {
         Cell::Page(id, _) => Some(Document {
+            stopped_early: None,
             id: id.clone(),
             title: id.clone(),
             ..page.clone()
@@ -396,6 +398,7 @@ pub fn report() -> Document {
     });
     let pages = pages.collect();
     Document {
+        stopped_early: None,
         id: "report".into(),
         title: "Where four engines part".into(),
         lead: "In 7 of 10 scenes the report's model and rapier agree to 0.01 R; they part in 3 because the stepper resolves 1 ms and two hits of the break are 78 us apart.".into(),
