@@ -1,25 +1,29 @@
 //! `carom stability`.
 
+use super::accepted::{self, Place, Use};
 use super::arguments::{StabilityArguments, parse_engines};
-use super::{Failure, accepted, output, publish, terminal, versions};
+use super::{Failure, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, catalogue};
 use crate::study::Watch;
 use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// What accepts the findings.
-const COMMAND: &str = "carom stability";
+/// What is done with accepted findings.
+const HARD: Use = Use {
+    command: "carom stability",
+    option: "--accepted",
+    built_in: "hard",
+};
 
 /// Runs the hard cases, holds them against what was accepted, or accepts them.
 pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
     let question = question(arguments)?;
-    let files = accepted::files(&arguments.accepted, &question.scenes);
+    let place = Place::new(&HARD, arguments.accepted.as_deref(), arguments.accept)?;
     // a file that cannot be read is said before anything runs
-    let before = accepted::read(&files, COMMAND)?;
+    let before = place.read(&question.scenes)?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -29,7 +33,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let outcome = study(question, watch);
     drop(progress);
     let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
-    let held = Held::new(outcome, before, arguments);
+    let held = Held::new(outcome, before, arguments, place);
     let printed = publish(
         &held.document(summary, accepted::MOST_CHANGES),
         &arguments.format,
@@ -37,7 +41,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
         arguments.out.as_deref(),
     )?;
     match reason {
-        Some(reason) => held.accept(&files, &reason),
+        Some(reason) => held.accept(&reason),
         None => held.decide(printed, arguments),
     }
 }
@@ -71,7 +75,7 @@ fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
 type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
 
 /// A matrix held against what was accepted.
-struct Held {
+struct Held<'a> {
     outcome: Outcome,
     /// By scene; `None` where nothing was accepted.
     accepted: Vec<Option<Accepted>>,
@@ -81,14 +85,15 @@ struct Held {
     stale: Vec<String>,
     /// Findings of runs that only `--full` does, of which nothing was accepted.
     new: usize,
-    folder: PathBuf,
+    place: Place<'a>,
 }
 
-impl Held {
+impl<'a> Held<'a> {
     fn new(
         outcome: Outcome,
         accepted: Vec<Option<Accepted>>,
         arguments: &StabilityArguments,
+        place: Place<'a>,
     ) -> Self {
         let mut held = Held {
             outcome,
@@ -96,7 +101,7 @@ impl Held {
             changes: Vec::new(),
             stale: Vec::new(),
             new: 0,
-            folder: arguments.accepted.clone(),
+            place,
         };
         // what was stopped has no findings, and that is no change
         if held.outcome.is_cut_short() {
@@ -174,13 +179,13 @@ impl Held {
 
     /// How the findings stand to the accepted ones.
     fn sentence(&self) -> String {
-        let folder = self.folder.display();
+        let place = self.place.words();
         if self.outcome.is_cut_short() {
-            return format!("Accepted findings, {folder}: not held, because not everything ran.");
+            return format!("Accepted findings, {place}: not held, because not everything ran.");
         }
         let unknown = self.unknown();
         if unknown.len() == self.accepted.len() {
-            return format!("Accepted findings: none in {folder}.");
+            return format!("Accepted findings: none {}.", self.place.within());
         }
         let mut parts = vec![
             gate::changes_sentence(&self.changes)
@@ -201,7 +206,7 @@ impl Held {
                 self.new
             ));
         }
-        format!("Accepted findings, {folder}: {}.", parts.join("; "))
+        format!("Accepted findings, {place}: {}.", parts.join("; "))
     }
 
     /// How the run stands to what was accepted.
@@ -216,7 +221,7 @@ impl Held {
     }
 
     /// Writes the files of the scenes in which something changed.
-    fn accept(&self, files: &[PathBuf], reason: &str) -> Result<ExitCode, Failure> {
+    fn accept(&self, reason: &str) -> Result<ExitCode, Failure> {
         if let Err(refused) = self.standing().acceptance() {
             return Ok(accepted::refuse(&refused));
         }
@@ -238,10 +243,10 @@ impl Held {
                 bits: Vec::new(),
                 rows: self.rows(index),
             };
-            output::write_file(&files[index], gate::write(&now).as_bytes())?;
+            self.place.write(&now)?;
             written += 1;
         }
-        accepted::written(written, files, &self.folder);
+        self.place.written(written, self.accepted.len());
         Ok(ExitCode::SUCCESS)
     }
 
@@ -274,7 +279,7 @@ impl Held {
         let standing = self.standing();
         match standing.decision() {
             Decision::Met => Ok(printed),
-            Decision::NotMet => Ok(accepted::not_met(COMMAND)),
+            Decision::NotMet => Ok(self.place.not_met()),
             Decision::Incomplete if standing.cut_short => Err(Failure::Message(
                 "it was stopped before its end, so it is not held against what was accepted"
                     .to_owned(),
@@ -287,18 +292,19 @@ impl Held {
     fn missing(&self, arguments: &StabilityArguments) -> Failure {
         let unknown = self.unknown();
         let whole_set = arguments.scenes.is_empty() && unknown.len() == self.accepted.len();
-        let mut command = COMMAND.to_owned();
+        let mut scenes = String::new();
         if !whole_set {
-            command += &format!(" {}", unknown.join(" "));
+            scenes += &format!(" {}", unknown.join(" "));
         }
         if arguments.full {
-            command += " --full";
+            scenes += " --full";
         }
         Failure::Message(format!(
-            "nothing is accepted of {} of {} scenes in {}; `{command} --accept --reason \"...\"` accepts what is found",
+            "nothing is accepted of {} of {} scenes {}; `{}` accepts what is found",
             unknown.len(),
             self.accepted.len(),
-            self.folder.display()
+            self.place.within(),
+            self.place.command(&scenes)
         ))
     }
 }

@@ -3,6 +3,8 @@
 
 mod accepting;
 mod architecture;
+mod built;
+mod carried;
 mod check;
 mod claims;
 mod cli;

@@ -1,9 +1,9 @@
 //! What programs of a pipeline read: JUnit XML, and annotations of GitHub's runner.
 
+use crate::cli::accepted::Place;
 use crate::gate::{Change, Held};
 use crate::study::check::{Case, Level, ORACLE, State};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
-use std::path::Path;
 
 /// Changes of a case that its failure tells.
 const TOLD: usize = 10;
@@ -12,12 +12,12 @@ const TOLD: usize = 10;
 const SHOWN: usize = 10;
 
 /// JUnit XML: one suite a scene, one test case an engine and level. Errors: what cannot be written, in one sentence.
-pub fn junit(held: &Held) -> Result<String, String> {
+pub fn junit(held: &Held, place: &Place<'_>) -> Result<String, String> {
     let mut report = Report::new("carom check");
     for scene in &held.outcome.scenes {
         let mut suite = TestSuite::new(scene.name.as_str());
         let own = held.outcome.cases.iter().filter(|c| c.scene == scene.name);
-        suite.add_test_cases(own.map(|case| test_case(held, case)));
+        suite.add_test_cases(own.map(|case| test_case(held, place, case)));
         report.add_test_suite(suite);
     }
     let xml = report
@@ -40,8 +40,8 @@ fn without_skipped_in_all(xml: &str) -> String {
     lines.collect()
 }
 
-fn test_case(held: &Held, case: &Case) -> TestCase {
-    let status = match (&case.state, failure(held, case)) {
+fn test_case(held: &Held, place: &Place<'_>, case: &Case) -> TestCase {
+    let status = match (&case.state, failure(held, place, case)) {
         (State::Refused(why), _) => {
             // the schema gives it a text and no attributes
             let mut status = TestCaseStatus::skipped();
@@ -69,7 +69,7 @@ fn test_case(held: &Held, case: &Case) -> TestCase {
 }
 
 /// What is wrong with a case, in lines that a person can act on, and its kind; `None` where nothing is.
-fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
+fn failure(held: &Held, place: &Place<'_>, case: &Case) -> Option<(&'static str, Vec<String>)> {
     let broken: Vec<String> = held
         .outcome
         .broken
@@ -80,7 +80,7 @@ fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
         .map(|b| format!("{} promises {}: {}", b.engine, b.invariant.id(), b.why))
         .collect();
     if !broken.is_empty() {
-        return Some(("promise", with_advice(held, case, broken, false)));
+        return Some(("promise", with_advice(held, case, broken, None)));
     }
     let changes: Vec<&Change> = held
         .changes_of(&case.scene, &case.engine, case.level)
@@ -106,10 +106,16 @@ fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
     } else {
         "change"
     };
-    (!lines.is_empty()).then(|| (kind, with_advice(held, case, lines, true)))
+    (!lines.is_empty()).then(|| (kind, with_advice(held, case, lines, Some(place))))
 }
 
-fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool) -> Vec<String> {
+/// `place`: where it could be accepted, if it is up to acceptance.
+fn with_advice(
+    held: &Held,
+    case: &Case,
+    mut lines: Vec<String>,
+    place: Option<&Place<'_>>,
+) -> Vec<String> {
     if held.accepted_of(&case.scene).is_some() {
         lines.push(held.since(&case.scene, &case.engine));
     }
@@ -136,21 +142,21 @@ fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool
         ),
     };
     lines.push(format!("to see it: {show}"));
-    if up_to_you {
-        let accept = format!("carom check {} --accept --reason \"...\"", case.scene);
+    if let Some(place) = place {
+        let accept = place.command(&format!(" {}", case.scene));
         lines.push(format!("if it is right: {accept}"));
     }
     lines
 }
 
-/// Lines by which GitHub's runner marks lines of baselines, one a failing case.
-pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
+/// Lines by which GitHub's runner marks lines of baselines, one a failing case; where those are built in there is no line to mark.
+pub fn annotations(held: &Held, place: &Place<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for case in &held.outcome.cases {
-        let Some((_, words)) = failure(held, case).filter(|_| case.state == State::Ran) else {
+        let Some((_, words)) = failure(held, place, case).filter(|_| case.state == State::Ran)
+        else {
             continue;
         };
-        let file = folder.join(format!("{}.csv", case.scene));
         let change = held
             .changes_of(&case.scene, &case.engine, case.level)
             .next();
@@ -159,9 +165,14 @@ pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
             (Some(accepted), Some(address)) => accepted.line(address),
             _ => 1,
         };
+        let place = place.file(&case.scene).map_or(String::new(), |file| {
+            format!(
+                "file={},line={line},",
+                property(&file.display().to_string())
+            )
+        });
         lines.push(format!(
-            "::error file={},line={line},title={}::{}",
-            property(&file.display().to_string()),
+            "::error {place}title={}::{}",
             property(&format!("{} in {}", case.scene, case.engine)),
             escaped(&words.join("\n"))
         ));
