@@ -30,7 +30,7 @@ fn version_and_source_are_those_of_the_lock_file() {
             let words = format!("{} {} ({})", built.name, package.version, built.source);
             assert!(engine.version().starts_with(&words), "{}", engine.version());
             let run = engine::prepare(*engine, &scene, &Setting::default()).unwrap();
-            let trace = run.simulate(Record { every: 1.0 }, &Limits::NONE);
+            let trace = run.simulate(Record::Final, &Limits::NONE);
             assert_eq!(
                 trace.provenance.version,
                 engine.version(),
