@@ -6,11 +6,11 @@
 
 use std::fmt;
 
-/// Name, version and source of every crate of the lock file, and the indices of what each needs.
-const LOCKED: &[(&str, &str, &str, &[usize])] = include!(concat!(env!("OUT_DIR"), "/locked.rs"));
+/// A crate of a lock file: name, version, source, and the indices of what it needs.
+type Locked = (&'static str, &'static str, &'static str, &'static [usize]);
 
-/// Cargo sets it for the package that it was asked to build, whose lock file it is; not for a dependency.
-const OWN_LOCK: bool = option_env!("CARGO_PRIMARY_PACKAGE").is_some();
+/// Every crate of the lock file of the build.
+const LOCKED: &[Locked] = include!(concat!(env!("OUT_DIR"), "/locked.rs"));
 
 /// What is told of a source that is not known.
 const UNKNOWN: &str = "unknown";
@@ -53,60 +53,63 @@ impl fmt::Display for Built {
 
 /// The crate called `name`, which the compiler found at `compiled`: the path of a source file, as the code itself tells it.
 pub fn built(name: &'static str, compiled: &str) -> Built {
-    let locked = LOCKED.iter().filter(|_| OWN_LOCK);
-    let mut locked = locked.filter(|(own, version, source, _)| {
-        *own == name && is_from(compiled, name, version, source)
-    });
-    match (locked.next(), locked.next()) {
-        (Some(&(name, version, source, _)), None) => Built {
-            name,
-            version,
-            source,
-            with: others(name, version),
-        },
-        _ => Built {
-            name,
-            version: "",
-            source: UNKNOWN,
-            with: Vec::new(),
-        },
-    }
+    of(own(), name, compiled)
 }
 
 /// The crates of the lock file that are called `name`; none for a library that others build.
 pub fn locked(name: &str) -> Vec<Built> {
-    let own = LOCKED.iter().filter(|(own, ..)| OWN_LOCK && *own == name);
-    own.map(|&(name, version, source, _)| Built {
+    let own = own().iter().filter(|(own, ..)| *own == name);
+    own.map(alone).collect()
+}
+
+/// The lock file of the build. Cargo sets the variable for the package that it was asked to build and not for a dependency, which is built by the lock
+/// file of others, whatever lies beside its manifest.
+fn own() -> &'static [Locked] {
+    match option_env!("CARGO_PRIMARY_PACKAGE") {
+        Some(_) => LOCKED,
+        None => &[],
+    }
+}
+
+fn alone(&(name, version, source, _): &Locked) -> Built {
+    Built {
         name,
         version,
         source,
         with: Vec::new(),
-    })
-    .collect()
+    }
+}
+
+fn of(all: &[Locked], name: &'static str, compiled: &str) -> Built {
+    let fits = |&(own, version, source, _): &Locked| {
+        own == name && is_from(compiled, name, version, source)
+    };
+    let mut found = (0..all.len()).filter(|&index| fits(&all[index]));
+    match (found.next(), found.next()) {
+        (Some(index), None) => Built {
+            with: others(all, index),
+            ..alone(&all[index])
+        },
+        _ => alone(&(name, "", UNKNOWN, &[])),
+    }
 }
 
 /// Crates that one needs, near or far, and that are not from the registry.
-fn others(name: &str, version: &str) -> Vec<Built> {
-    let first = LOCKED.iter().position(|p| p.0 == name && p.1 == version);
-    let mut reached: Vec<usize> = first.into_iter().collect();
+fn others(all: &[Locked], first: usize) -> Vec<Built> {
+    let mut reached = vec![first];
     let mut next = 0;
-    while let Some(&index) = reached.get(next) {
-        for &needed in LOCKED[index].3 {
+    while let Some((.., needs)) = reached.get(next).and_then(|&index| all.get(index)) {
+        for &needed in *needs {
             if !reached.contains(&needed) {
                 reached.push(needed);
             }
         }
         next += 1;
     }
-    let others = reached.iter().skip(1).map(|&index| LOCKED[index]);
+    let others = reached.iter().skip(1).filter_map(|&index| all.get(index));
     others
         .filter(|(_, _, source, _)| *source != "registry")
-        .map(|(name, version, source, _)| Built {
-            name,
-            version,
-            source,
-            with: Vec::new(),
-        })
+        .map(alone)
         .collect()
 }
 
@@ -128,7 +131,7 @@ fn is_from(compiled: &str, name: &str, version: &str, source: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Built, is_from};
+    use super::{Built, Locked, is_from, of};
 
     #[test]
     fn the_code_says_whether_the_lock_file_is_that_of_the_build() {
@@ -197,5 +200,35 @@ mod tests {
             assert_eq!(built.word(), word);
             assert_eq!(built.to_string(), words);
         }
+    }
+
+    #[test]
+    fn what_the_lock_file_does_not_say_is_unknown() {
+        let unpacked = "/a/registry/src/index-0/some-crate-1.2.3/src/a.rs";
+        let folder = "/a/fork/src/a.rs";
+        let locked: [Locked; 4] = [
+            ("numbers", "0.1.0", "path 01", &[1]),
+            // two that need each other, as tests do
+            ("shapes", "2.0.0", "registry", &[0, 2]),
+            ("some-crate", "1.2.3", "registry", &[1]),
+            ("other", "1.0.0", "path 02", &[]),
+        ];
+        let known = "some-crate 1.2.3 (registry) with numbers 0.1.0 (path 01)";
+        for (all, name, compiled, words) in [
+            (&locked[..], "some-crate", unpacked, known),
+            // cargo's `paths`, or an installation by another lock file
+            (&locked, "some-crate", folder, "some-crate unknown"),
+            (&locked, "other", folder, "other 1.0.0 (path 02)"),
+            (&locked, "missing", folder, "missing unknown"),
+            // a library that others build
+            (&[], "some-crate", unpacked, "some-crate unknown"),
+        ] {
+            assert_eq!(of(all, name, compiled).to_string(), words, "{compiled}");
+        }
+        let twice: [Locked; 2] = [
+            ("other", "1.0.0", "path 02", &[]),
+            ("other", "2.0.0", "path 03", &[]),
+        ];
+        assert_eq!(of(&twice, "other", folder).to_string(), "other unknown");
     }
 }
