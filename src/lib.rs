@@ -13,6 +13,7 @@
 //! (`tests/architecture.rs` reads the source and holds that). Everything is in the scene's own consistent units; x runs
 //! across the table, y along it, z up, and a ball at rest has its centre at z = R.
 
+pub mod carried;
 pub mod cli;
 pub mod compare;
 pub mod engine;

@@ -1,7 +1,8 @@
-//! Accepted findings as files: what `check` and `stability` do alike with them.
+//! Accepted findings as files, in a folder or built in: what `check` and `stability` do alike with them.
 
 use super::exit::Exit;
 use super::{Failure, output, scene, terminal};
+use crate::carried;
 use crate::gate::{self, Accepted, Refused};
 use crate::scene::Scene;
 use std::fs;
@@ -40,38 +41,147 @@ pub fn named(names: &[String]) -> Result<Vec<Scene>, Failure> {
     Ok(scenes)
 }
 
-/// The file of each scene in a folder.
-pub fn files(folder: &Path, scenes: &[Scene]) -> Vec<PathBuf> {
-    let file = |scene: &Scene| folder.join(format!("{}.csv", scene.name));
-    scenes.iter().map(file).collect()
+/// What a command does with accepted findings.
+#[derive(Debug)]
+pub struct Use {
+    /// The command, such as `carom check`.
+    pub command: &'static str,
+    /// The option that names a folder of them, such as `--baseline`.
+    pub option: &'static str,
+    /// The folder below `validation/` whose files travel with the program.
+    pub built_in: &'static str,
 }
 
-/// The accepted findings in each file; `None` where there is none. `command`: the one that writes them, such as `carom check`.
-pub fn read(files: &[PathBuf], command: &str) -> Result<Vec<Option<Accepted>>, Failure> {
-    let read = || files.iter().map(|file| read_one(file, command)).collect();
-    match files.first().and_then(|file| file.parent()) {
-        Some(folder) => output::undisturbed(folder, read)?,
-        None => read(),
-    }
+/// Where accepted findings are.
+#[derive(Debug)]
+pub struct Place<'a> {
+    of: &'a Use,
+    /// The folder that the user named; without one, the files that travel with the program.
+    folder: Option<&'a Path>,
 }
 
-fn read_one(file: &Path, command: &str) -> Result<Option<Accepted>, Failure> {
-    let text = match fs::read_to_string(file) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => {
-            let message = format!("cannot read {}: {error}", file.display());
-            return Err(Failure::Message(message));
+impl<'a> Place<'a> {
+    /// The folder that was named, or what is built in. `accept`: whether findings are to be accepted, for which there must be a folder.
+    pub fn new(of: &'a Use, folder: Option<&'a Path>, accept: bool) -> Result<Self, Failure> {
+        let place = Place { of, folder };
+        if accept && folder.is_none() {
+            return Err(Failure::Message(format!(
+                "what is built in cannot be written; name a folder: `{}`. carom's own files are in validation/{} of its sources",
+                place.command(""),
+                of.built_in
+            )));
         }
-    };
-    let accepted = gate::read(&text).map_err(|malformed| {
-        let scene = file.file_stem().unwrap_or_default().to_string_lossy();
-        Failure::Message(format!(
-            "{}, {malformed}; mend it, or remove it and run `{command} {scene} --accept --reason \"...\"`",
-            file.display()
-        ))
-    })?;
-    Ok(Some(accepted))
+        Ok(place)
+    }
+
+    /// What it is called, after words such as "held against".
+    pub fn words(&self) -> String {
+        match self.folder {
+            Some(folder) => folder.display().to_string(),
+            None => concat!("those built into carom ", env!("CARGO_PKG_VERSION")).to_owned(),
+        }
+    }
+
+    /// The same with its preposition: in a folder, among what is built in.
+    pub fn within(&self) -> String {
+        let link = if self.folder.is_some() { "in" } else { "among" };
+        format!("{link} {}", self.words())
+    }
+
+    /// The command that accepts what is found. `scenes`: their names, each after a blank; empty for all.
+    pub fn command(&self, scenes: &str) -> String {
+        let folder = match self.folder {
+            Some(folder) => folder.display().to_string(),
+            None => "DIR".to_owned(),
+        };
+        let Use {
+            command, option, ..
+        } = self.of;
+        format!("{command}{scenes} --accept --reason \"...\" {option} {folder}")
+    }
+
+    /// The file of a scene; `None` where it is built in.
+    pub fn file(&self, scene: &str) -> Option<PathBuf> {
+        Some(self.folder?.join(format!("{scene}.csv")))
+    }
+
+    /// The accepted findings of each scene of `names`; `None` where there are none.
+    pub fn read(&self, names: &[String]) -> Result<Vec<Option<Accepted>>, Failure> {
+        let read = || names.iter().map(|name| self.read_one(name)).collect();
+        match self.folder {
+            Some(folder) => output::undisturbed(folder, read)?,
+            None => read(),
+        }
+    }
+
+    fn read_one(&self, name: &str) -> Result<Option<Accepted>, Failure> {
+        let (file, text) = match self.file(name) {
+            None => {
+                let file = format!("{}/{name}.csv", self.of.built_in);
+                let text = carried::text(&file).map(str::to_owned);
+                (format!("{file}, built in"), text)
+            }
+            Some(file) => {
+                let shown = file.display().to_string();
+                match fs::read_to_string(&file) {
+                    Ok(text) => (shown, Some(text)),
+                    Err(error) if error.kind() == ErrorKind::NotFound => (shown, None),
+                    Err(error) => {
+                        return Err(Failure::Message(format!("cannot read {shown}: {error}")));
+                    }
+                }
+            }
+        };
+        let accepted = text.map(|text| gate::read(&text)).transpose();
+        accepted.map_err(|malformed| {
+            Failure::Message(format!(
+                "{file}, {malformed}; mend it, or remove it and run `{}`",
+                self.command(&format!(" {name}"))
+            ))
+        })
+    }
+
+    /// Names of files that no scene of `names` reads: what they hold is held by nothing, and looks as if it were.
+    pub fn unread(&self, names: &[String]) -> Vec<String> {
+        let own = |file: &str| {
+            let stem = file.strip_suffix(".csv");
+            stem.is_some_and(|stem| !names.iter().any(|name| name == stem))
+        };
+        let Some(folder) = self.folder else {
+            let all = carried::below(self.of.built_in).map(|(name, _)| name);
+            return all.filter(|name| own(name)).map(str::to_owned).collect();
+        };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let mut unread: Vec<String> = entries
+            .filter(|entry| own(&entry.file_name().to_string_lossy()))
+            .map(|entry| entry.path().display().to_string())
+            .collect();
+        unread.sort();
+        unread
+    }
+
+    /// Writes the accepted findings of scenes, all of them by this writer, and says how many they are of those that could have changed.
+    pub fn write(&self, changed: &[Accepted], of: usize) -> Result<(), Failure> {
+        let file = |accepted: &Accepted| Some((self.file(&accepted.scene)?, gate::write(accepted)));
+        let files: Vec<(PathBuf, String)> = changed.iter().filter_map(file).collect();
+        // it is never asked where nothing can be written
+        if let Some(folder) = self.folder.filter(|_| !files.is_empty()) {
+            output::write_at(folder, &files)?;
+        }
+        terminal::say(&format!(
+            "Accepted: {} of {of} files written below {}.",
+            files.len(),
+            self.words()
+        ));
+        Ok(())
+    }
+
+    /// Says that the findings are not as accepted, and what to do if they are right.
+    pub fn not_met(&self) -> ExitCode {
+        let command = self.command("");
+        terminal::say(&format!("Not as accepted. If it is right: `{command}`."));
+        Exit::NotMet.into()
+    }
 }
 
 /// Says why nothing is accepted.
@@ -91,30 +201,4 @@ pub fn was_stopped(printed: ExitCode, reason: Option<&str>) -> bool {
         terminal::say("Nothing is accepted: it was stopped early.");
     }
     stopped
-}
-
-/// Says that the findings are not as accepted, and what to do if they are right.
-pub fn not_met(command: &str) -> ExitCode {
-    terminal::say(&format!(
-        "Not as accepted. If it is right: `{command} --accept --reason \"...\"`."
-    ));
-    Exit::NotMet.into()
-}
-
-/// Writes the files that changed, all of them by this writer, and says how many they are. `files`: those that could have.
-pub fn write(
-    changes: &[(&PathBuf, String)],
-    files: &[PathBuf],
-    folder: &Path,
-) -> Result<(), Failure> {
-    if !changes.is_empty() {
-        output::write_at(folder, changes)?;
-    }
-    terminal::say(&format!(
-        "Accepted: {} of {} files written below {}.",
-        changes.len(),
-        files.len(),
-        folder.display()
-    ));
-    Ok(())
 }

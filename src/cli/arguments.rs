@@ -60,7 +60,7 @@ pub enum Command {
     Fuzz(FuzzArguments),
     /// Run every hard case on every engine and say what holds, what drifts, what breaks; hold it against what was accepted.
     Stability(StabilityArguments),
-    /// Run the scenes of the gate in every engine and hold what is found against validation/baselines.
+    /// Run the scenes of the gate in every engine and hold what is found against baselines.
     ///
     /// Exits with 1 if a promised invariant does not hold or anything is not as accepted, in either direction; with 2 if it did not
     /// run to its end, or a baseline is missing or malformed.
@@ -301,11 +301,15 @@ pub struct FuzzArguments {
 pub struct CheckArguments {
     /// Scenes: catalogue names or files, and `random-scenes` for some thousand of one seed. Without any: the set `gate` and those.
     pub scenes: Vec<String>,
-    /// Folder of the baselines, one CSV file a scene. The default is looked for below the current folder.
-    #[arg(long, value_name = "DIR", default_value = "validation/baselines")]
-    pub baseline: PathBuf,
-    /// Accept what is found: show old and new, write the files of the scenes in which something changed. Refused while a promised
-    /// invariant is broken.
+    /// Folder of the baselines, one CSV file a scene. Without it: those of carom itself, which are built in.
+    #[arg(long, value_name = "DIR")]
+    pub baseline: Option<PathBuf>,
+    /// Hold nothing unless the program was built with this crate from `registry`, `git` or `path`; several may be given. Cargo
+    /// leaves a patch out that does not fit, and only warns.
+    #[arg(long, value_name = "CRATE=SOURCE")]
+    pub built_from: Vec<String>,
+    /// Accept what is found: show old and new, write the files of the scenes in which something changed, to the folder of
+    /// `--baseline`. Refused while a promised invariant is broken.
     #[arg(long, requires = "reason")]
     pub accept: bool,
     /// Why it is accepted; written into the files.
@@ -356,10 +360,11 @@ pub struct StabilityArguments {
     /// Also scenes and steps that take more than their share: about a minute a scene.
     #[arg(long)]
     pub full: bool,
-    /// Folder of the accepted findings, one CSV file a scene. The default is looked for below the current folder.
-    #[arg(long, value_name = "DIR", default_value = "validation/hard")]
-    pub accepted: PathBuf,
-    /// Accept what is found: write the files of the scenes in which something changed. Refused while a promised invariant is broken.
+    /// Folder of the accepted findings, one CSV file a scene. Without it: those of carom itself, which are built in.
+    #[arg(long, value_name = "DIR")]
+    pub accepted: Option<PathBuf>,
+    /// Accept what is found: write the files of the scenes in which something changed, to the folder of `--accepted`. Refused while
+    /// a promised invariant is broken.
     #[arg(long, requires = "reason", conflicts_with = "engines")]
     pub accept: bool,
     /// Why it is accepted; written into the files.

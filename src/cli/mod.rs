@@ -15,7 +15,6 @@ mod ensemble;
 pub mod exit;
 mod fuzz;
 mod horizon;
-mod orphans;
 mod output;
 mod play;
 mod report;

@@ -1,28 +1,36 @@
 //! `carom stability`.
 
+use super::accepted::{self, Place, Use};
 use super::arguments::{StabilityArguments, parse_engines};
 use super::exit::Exit;
-use super::orphans::orphans;
-use super::{Failure, accepted, publish, terminal, versions};
+use super::{Failure, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, catalogue};
 use crate::study::Watch;
 use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// What accepts the findings.
-const COMMAND: &str = "carom stability";
+/// What is done with accepted findings.
+const HARD: Use = Use {
+    command: "carom stability",
+    option: "--accepted",
+    built_in: "hard",
+};
 
 /// Runs the hard cases, holds them against what was accepted, or accepts them.
 pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
     let question = question(arguments)?;
-    let files = accepted::files(&arguments.accepted, &question.scenes);
+    let place = Place::new(&HARD, arguments.accepted.as_deref(), arguments.accept)?;
     // a file that cannot be read is said before anything runs
-    let before = accepted::read(&files, COMMAND)?;
-    let unread = unread(arguments)?;
+    let before = place.read(&names(&question.scenes))?;
+    let unread = if arguments.scenes.is_empty() {
+        // whether it runs or is left to --full
+        place.unread(&names(&catalogue::set("hard")?))
+    } else {
+        Vec::new()
+    };
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -32,7 +40,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let outcome = study(question, watch);
     drop(progress);
     let outcome = outcome.map_err(|error| Failure::Message(error.to_string()))?;
-    let held = Held::new(outcome, before, unread, arguments);
+    let held = Held::new(outcome, before, unread, arguments, place);
     let printed = publish(
         &held.document(summary, accepted::MOST_CHANGES),
         &arguments.format,
@@ -43,7 +51,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
         return Ok(printed);
     }
     match reason {
-        Some(reason) => held.accept(&files, &reason),
+        Some(reason) => held.accept(&reason),
         None => held.decide(printed, arguments),
     }
 }
@@ -73,20 +81,15 @@ fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
     Ok(scenes)
 }
 
-/// Accepted files that no scene of the set reads, whether it runs or is left to `--full`; none where scenes are named.
-fn unread(arguments: &StabilityArguments) -> Result<Vec<String>, Failure> {
-    if !arguments.scenes.is_empty() {
-        return Ok(Vec::new());
-    }
-    let known = accepted::files(&arguments.accepted, &catalogue::set("hard")?);
-    Ok(orphans(&arguments.accepted, &known))
+fn names(scenes: &[Scene]) -> Vec<String> {
+    scenes.iter().map(|scene| scene.name.clone()).collect()
 }
 
 /// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
 type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
 
 /// A matrix held against what was accepted.
-struct Held {
+struct Held<'a> {
     outcome: Outcome,
     /// By scene; `None` where nothing was accepted.
     accepted: Vec<Option<Accepted>>,
@@ -102,15 +105,16 @@ struct Held {
     new: usize,
     /// Accepted findings that are not held, because only `--full` makes their runs.
     left_out: usize,
-    folder: PathBuf,
+    place: Place<'a>,
 }
 
-impl Held {
+impl<'a> Held<'a> {
     fn new(
         outcome: Outcome,
         accepted: Vec<Option<Accepted>>,
         unread: Vec<String>,
         arguments: &StabilityArguments,
+        place: Place<'a>,
     ) -> Self {
         let mut held = Held {
             outcome,
@@ -121,7 +125,7 @@ impl Held {
             contradictions: Vec::new(),
             new: 0,
             left_out: 0,
-            folder: arguments.accepted.clone(),
+            place,
         };
         // what was stopped has no findings, and that is no change
         if held.outcome.is_cut_short() {
@@ -184,13 +188,13 @@ impl Held {
 
     /// How the findings stand to the accepted ones.
     fn sentence(&self) -> String {
-        let folder = self.folder.display();
+        let place = self.place.words();
         if self.outcome.is_cut_short() {
-            return format!("Accepted findings, {folder}: not held, because not everything ran.");
+            return format!("Accepted findings, {place}: not held, because not everything ran.");
         }
         let unknown = self.unknown();
         if unknown.len() == self.accepted.len() {
-            return format!("Accepted findings: none in {folder}.");
+            return format!("Accepted findings: none {}.", self.place.within());
         }
         let mut parts = vec![
             gate::changes_sentence(&self.changes)
@@ -223,7 +227,7 @@ impl Held {
                 self.new
             ));
         }
-        format!("Accepted findings, {folder}: {}.", parts.join("; "))
+        format!("Accepted findings, {place}: {}.", parts.join("; "))
     }
 
     /// How the run stands to what was accepted.
@@ -238,7 +242,7 @@ impl Held {
     }
 
     /// Writes the files of the scenes in which something changed.
-    fn accept(&self, files: &[PathBuf], reason: &str) -> Result<ExitCode, Failure> {
+    fn accept(&self, reason: &str) -> Result<ExitCode, Failure> {
         if let Err(refused) = self.standing().acceptance() {
             return Ok(accepted::refuse(&refused));
         }
@@ -262,9 +266,9 @@ impl Held {
                 bits: Vec::new(),
                 rows: self.rows(index),
             };
-            changes.push((&files[index], gate::write(&now)));
+            changes.push(now);
         }
-        accepted::write(&changes, files, &self.folder)?;
+        self.place.write(&changes, self.accepted.len())?;
         for file in &self.unread {
             terminal::say(&format!("No scene reads {file}: remove it."));
         }
@@ -300,7 +304,7 @@ impl Held {
         let standing = self.standing();
         match standing.decision() {
             Decision::Met => Ok(printed),
-            Decision::NotMet => Ok(accepted::not_met(COMMAND)),
+            Decision::NotMet => Ok(self.place.not_met()),
             Decision::Incomplete => Err(self.missing(arguments)),
         }
     }
@@ -309,18 +313,19 @@ impl Held {
     fn missing(&self, arguments: &StabilityArguments) -> Failure {
         let unknown = self.unknown();
         let whole_set = arguments.scenes.is_empty() && unknown.len() == self.accepted.len();
-        let mut command = COMMAND.to_owned();
+        let mut scenes = String::new();
         if !whole_set {
-            command += &format!(" {}", unknown.join(" "));
+            scenes += &format!(" {}", unknown.join(" "));
         }
         if arguments.full {
-            command += " --full";
+            scenes += " --full";
         }
         Failure::Message(format!(
-            "nothing is accepted of {} of {} scenes in {}; `{command} --accept --reason \"...\"` accepts what is found",
+            "nothing is accepted of {} of {} scenes {}; `{}` accepts what is found",
             unknown.len(),
             self.accepted.len(),
-            self.folder.display()
+            self.place.within(),
+            self.place.command(&scenes)
         ))
     }
 }

@@ -4,6 +4,7 @@
 //! module no engine knows another; adding one is a folder and one line in [`ENGINES`].
 
 mod audit;
+pub mod built;
 mod clock;
 pub mod exact;
 pub mod rapier;
@@ -12,6 +13,7 @@ pub mod sheet;
 pub mod stepper;
 
 pub use audit::{Inside, PairMaterial, Partner};
+pub use built::Built;
 pub use setting::{Knob, Setting};
 pub use sheet::{Parameter, Role};
 
@@ -34,8 +36,13 @@ pub trait Engine: Sync {
     /// Unique kebab-case name.
     fn id(&self) -> &'static str;
 
-    /// Name and version of what does the work, such as `rapier3d-f64 0.36.1`.
+    /// Name, version and source of what does the work, such as `rapier3d-f64 0.36.1 (registry)`.
     fn version(&self) -> String;
+
+    /// The crates of others that it was built from; none where the workbench itself does the work.
+    fn built(&self) -> Vec<Built> {
+        Vec::new()
+    }
 
     /// What it is and how it solves in time, in one sentence; and which code it shares with other engines.
     fn about(&self) -> About;

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A module may import from itself and from modules listed before it.
-const ORDER: [&str; 13] = [
-    "math", "physics", "scene", "trace", "engine", "finding", "compare", "study", "gate", "report",
-    "web", "cli", "main",
+const ORDER: [&str; 14] = [
+    "carried", "math", "physics", "scene", "trace", "engine", "finding", "compare", "study",
+    "gate", "report", "web", "cli", "main",
 ];
 
 const ENGINES: [&str; 3] = ["stepper", "exact", "rapier"];
@@ -226,7 +226,7 @@ fn files_are_small_opened_by_a_comment_and_finished() {
     .iter()
     .map(|(a, b)| format!("{a}{b}"))
     .collect();
-    for folder in ["src", "tests", "benches"] {
+    for folder in ["build", "src", "tests", "benches"] {
         for (file, text) in sources(folder) {
             let lines = text.lines().count();
             assert!(lines <= 700, "{folder}/{file} has {lines} lines");

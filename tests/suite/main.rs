@@ -4,6 +4,8 @@
 mod accepting;
 mod architecture;
 mod bounds;
+mod built;
+mod carried;
 mod check;
 mod claims;
 mod cli;

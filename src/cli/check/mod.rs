@@ -1,11 +1,12 @@
 //! `carom check`.
 
+mod built_from;
 mod outputs;
 
+use super::accepted::{self, Place, Use};
 use super::arguments::CheckArguments;
 use super::exit::Exit;
-use super::orphans::orphans;
-use super::{Failure, accepted, output, publish, terminal, versions};
+use super::{Failure, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
@@ -16,15 +17,19 @@ use crate::study::check::{
 use crate::study::compare::default_columns;
 use crate::study::{Watch, random};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
 /// A job summary shows no more: its service cuts off what is long.
 const MOST_IN_SUMMARY: usize = 200;
 
-/// What accepts the findings.
-const COMMAND: &str = "carom check";
+/// What is done with baselines.
+const BASELINES: Use = Use {
+    command: "carom check",
+    option: "--baseline",
+    built_in: "baselines",
+};
 
 /// Runs the scenes of the gate and holds them against their baselines, or accepts what is found.
 pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
@@ -41,13 +46,14 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         accepted::named(&named)?
     };
     let random = whole || !random.is_empty();
-    let folder = &arguments.baseline;
-    let mut files = accepted::files(folder, &scenes);
-    files.extend(random.then(|| folder.join(format!("{RANDOM}.csv"))));
+    let place = Place::new(&BASELINES, arguments.baseline.as_deref(), arguments.accept)?;
+    built_from::demand(&arguments.built_from)?;
+    let mut names: Vec<String> = scenes.iter().map(|scene| scene.name.clone()).collect();
+    names.extend(random.then(|| RANDOM.to_owned()));
     // a file that cannot be read is said before anything runs
-    let before = accepted::read(&files, COMMAND)?;
-    let unread = if arguments.scenes.is_empty() {
-        orphans(folder, &files)
+    let before = place.read(&names)?;
+    let unread = if whole {
+        place.unread(&names)
     } else {
         Vec::new()
     };
@@ -68,16 +74,16 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     let seconds = start.elapsed().as_secs_f64();
     drop(progress);
     let held = Held::new(outcome, before, unread);
-    write(&held, arguments)?;
+    write(&held, arguments, &place)?;
     let listed = arguments.format == "text";
-    let mut shown = document(&held, folder, summary, accepted::MOST_CHANGES, listed);
+    let mut shown = document(&held, &place, summary, accepted::MOST_CHANGES, listed);
     if arguments.verbose {
         shown.blocks.push(Block::Table(bounds()));
     }
     let printed = publish(
         &shown,
         &arguments.format,
-        || document(&held, folder, page, usize::MAX, false),
+        || document(&held, &place, page, usize::MAX, false),
         arguments.out.as_deref(),
     )?;
     // wall time only advises
@@ -86,8 +92,8 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         return Ok(printed);
     }
     match reason {
-        Some(reason) => accept(&held, &files, folder, &reason),
-        None => decide(&held, printed, arguments),
+        Some(reason) => accept(&held, &place, &reason),
+        None => decide(&held, printed, arguments, &place),
     }
 }
 
@@ -96,11 +102,11 @@ type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> Ag
 
 /// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
 /// table of them.
-fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool) -> Document {
+fn document(held: &Held, place: &Place<'_>, write: Writer, most: usize, listed: bool) -> Document {
     let changed = |scene: &str, engine: &str, level| held.against(scene, engine, level);
     let mut document = write(&held.outcome, &changed);
-    let ran = std::mem::replace(&mut document.lead, sentence(held, folder));
-    let mut opening = vec![Block::Text(ran)];
+    let ran = std::mem::replace(&mut document.lead, sentence(held, place));
+    let mut opening = vec![Block::Text(ran), Block::Text(built_from::sentence())];
     if !held.outcome.broken.is_empty() {
         let line = |b: &crate::study::check::Broken| {
             format!("{} in {}: {}: {}", b.engine, b.scene, b.what, b.why)
@@ -123,18 +129,18 @@ fn document(held: &Held, folder: &Path, write: Writer, most: usize, listed: bool
 }
 
 /// How the findings stand to the accepted ones.
-fn sentence(held: &Held, folder: &Path) -> String {
-    let folder = folder.display();
+fn sentence(held: &Held, place: &Place<'_>) -> String {
+    let held_against = place.words();
     let missing = held.outcome.missing();
     if missing > 0 {
         return format!(
-            "It did not run to its end: {missing} of {} cases did not run, so nothing is held against {folder}.",
+            "It did not run to its end: {missing} of {} cases did not run, so nothing is held against {held_against}.",
             held.outcome.cases.len()
         );
     }
     let unknown = held.unknown();
     if unknown.len() == held.accepted.len() {
-        return format!("Baselines: none in {folder}.");
+        return format!("Baselines: none {}.", place.within());
     }
     let mut parts = vec![
         gate::changes_sentence(&held.changes)
@@ -163,19 +169,18 @@ fn sentence(held: &Held, folder: &Path) -> String {
     parts.push(format!(
         "bits: {same} runs the same, {other} the same physics in different bits, {changed} others"
     ));
-    format!("Baselines, {folder}: {}.", parts.join("; "))
+    format!("Baselines, {held_against}: {}.", parts.join("; "))
 }
 
 /// Files that other programs read, and what GitHub's runner is told.
-fn write(held: &Held, arguments: &CheckArguments) -> Result<(), Failure> {
-    let folder = &arguments.baseline;
+fn write(held: &Held, arguments: &CheckArguments, place: &Place<'_>) -> Result<(), Failure> {
     if let Some(file) = &arguments.junit {
-        let xml = outputs::junit(held).map_err(Failure::Message)?;
+        let xml = outputs::junit(held, place).map_err(Failure::Message)?;
         output::write_file(file, xml.as_bytes())?;
     }
     let summary_file = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|name| !name.is_empty());
     if arguments.markdown.is_some() || summary_file.is_some() {
-        let document = document(held, folder, summary, MOST_IN_SUMMARY, false);
+        let document = document(held, place, summary, MOST_IN_SUMMARY, false);
         let text = report::render(&document, "markdown").unwrap_or_default();
         if let Some(file) = &arguments.markdown {
             output::write_file(file, text.as_bytes())?;
@@ -185,7 +190,7 @@ fn write(held: &Held, arguments: &CheckArguments) -> Result<(), Failure> {
         }
     }
     if std::env::var_os("GITHUB_ACTIONS").is_some() {
-        for line in outputs::annotations(held, folder) {
+        for line in outputs::annotations(held, place) {
             terminal::say(&line);
         }
     }
@@ -202,18 +207,13 @@ fn append(file: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// Writes the baselines of the scenes in which something changed.
-fn accept(
-    held: &Held,
-    files: &[PathBuf],
-    folder: &Path,
-    reason: &str,
-) -> Result<ExitCode, Failure> {
+fn accept(held: &Held, place: &Place<'_>, reason: &str) -> Result<ExitCode, Failure> {
     if let Err(refused) = held.standing().acceptance() {
         return Ok(accepted::refuse(&refused));
     }
     let mut changes = Vec::new();
     let parts = held.outcome.parts().into_iter();
-    for (((scene, hash), before), file) in parts.zip(&held.accepted).zip(files) {
+    for ((scene, hash), before) in parts.zip(&held.accepted) {
         let known = before.is_some() && !held.is_stale(&scene);
         let changed = held.changes.iter().any(|l| l.scene == scene);
         if known && !changed {
@@ -227,9 +227,9 @@ fn accept(
             rows: held.rows(&scene),
             scene,
         };
-        changes.push((file, gate::write(&now)));
+        changes.push(now);
     }
-    accepted::write(&changes, files, folder)?;
+    place.write(&changes, held.accepted.len())?;
     for file in &held.unread {
         terminal::say(&format!("No scene reads {file}: remove it."));
     }
@@ -237,7 +237,12 @@ fn accept(
 }
 
 /// The exit code, and what to do about it.
-fn decide(held: &Held, printed: ExitCode, arguments: &CheckArguments) -> Result<ExitCode, Failure> {
+fn decide(
+    held: &Held,
+    printed: ExitCode,
+    arguments: &CheckArguments,
+    place: &Place<'_>,
+) -> Result<ExitCode, Failure> {
     let standing = held.standing();
     match standing.decision() {
         Decision::Met => Ok(printed),
@@ -245,20 +250,22 @@ fn decide(held: &Held, printed: ExitCode, arguments: &CheckArguments) -> Result<
             terminal::say("A promised invariant does not hold; that is not up to acceptance.");
             Ok(Exit::NotMet.into())
         }
-        Decision::NotMet => Ok(accepted::not_met(COMMAND)),
+        Decision::NotMet => Ok(place.not_met()),
         Decision::Incomplete if standing.cut_short => Err(Failure::Message(format!(
             "it did not run to its end: {} of {} cases did not run",
             held.outcome.missing(),
             held.outcome.cases.len()
         ))),
         Decision::Incomplete => Err(Failure::Message(format!(
-            "nothing is accepted of {} in {}; `carom check{} --accept --reason \"...\"` accepts what is found",
+            "nothing is accepted of {} {}; `{}` accepts what is found",
             held.unknown().join(", "),
-            arguments.baseline.display(),
-            arguments
-                .scenes
-                .iter()
-                .fold(String::new(), |all, s| all + " " + s)
+            place.within(),
+            place.command(
+                &arguments
+                    .scenes
+                    .iter()
+                    .fold(String::new(), |all, s| all + " " + s)
+            )
         ))),
     }
 }

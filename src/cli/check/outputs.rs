@@ -1,10 +1,10 @@
 //! What programs of a pipeline read: JUnit XML, and annotations of GitHub's runner.
 
+use crate::cli::accepted::Place;
 use crate::gate::{Change, Held};
 use crate::scene::printable;
 use crate::study::check::{Case, Level, ORACLE, State, random_command};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
-use std::path::Path;
 
 /// Changes of a case that its failure tells.
 const TOLD: usize = 10;
@@ -12,13 +12,14 @@ const TOLD: usize = 10;
 /// Annotations of a step that GitHub shows.
 const SHOWN: usize = 10;
 
-/// JUnit XML: one suite a scene, one test case an engine and level, and a suite of baselines that no scene reads, where there are any. Errors: what cannot be written, in one sentence.
-pub fn junit(held: &Held) -> Result<String, String> {
+/// JUnit XML: one suite a scene, one test case an engine and level, and a suite of baselines that no scene reads, where there are
+/// any. Errors: what cannot be written, in one sentence.
+pub fn junit(held: &Held, place: &Place<'_>) -> Result<String, String> {
     let mut report = Report::new("carom check");
     for name in held.outcome.names() {
         let mut suite = TestSuite::new(printable(name));
         let own = held.outcome.cases.iter().filter(|c| c.scene == name);
-        suite.add_test_cases(own.map(|case| test_case(held, case)));
+        suite.add_test_cases(own.map(|case| test_case(held, place, case)));
         report.add_test_suite(suite);
     }
     if !held.unread.is_empty() {
@@ -46,8 +47,8 @@ fn without_skipped_in_all(xml: &str) -> String {
     lines.collect()
 }
 
-fn test_case(held: &Held, case: &Case) -> TestCase {
-    let status = match (&case.state, failure(held, case)) {
+fn test_case(held: &Held, place: &Place<'_>, case: &Case) -> TestCase {
+    let status = match (&case.state, failure(held, place, case)) {
         (State::Refused(why), _) => {
             // the schema gives it a text and no attributes
             let mut status = TestCaseStatus::skipped();
@@ -92,13 +93,13 @@ fn unread(file: &str) -> TestCase {
 }
 
 /// What is wrong with a case, in lines that a person can act on, and its kind; `None` where nothing is.
-fn failure(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
-    let (kind, lines) = wrong(held, case)?;
+fn failure(held: &Held, place: &Place<'_>, case: &Case) -> Option<(&'static str, Vec<String>)> {
+    let (kind, lines) = wrong(held, place, case)?;
     Some((kind, lines.iter().map(|line| printable(line)).collect()))
 }
 
 /// The same with names as they are.
-fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
+fn wrong(held: &Held, place: &Place<'_>, case: &Case) -> Option<(&'static str, Vec<String>)> {
     let broken: Vec<String> = held
         .outcome
         .broken
@@ -110,7 +111,7 @@ fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
         })
         .collect();
     if !broken.is_empty() {
-        return Some(("promise", with_advice(held, case, broken, false)));
+        return Some(("promise", with_advice(held, case, broken, None)));
     }
     let changes: Vec<&Change> = held
         .changes_of(&case.scene, &case.engine, case.level)
@@ -141,10 +142,16 @@ fn wrong(held: &Held, case: &Case) -> Option<(&'static str, Vec<String>)> {
     } else {
         "change"
     };
-    (!lines.is_empty()).then(|| (kind, with_advice(held, case, lines, true)))
+    (!lines.is_empty()).then(|| (kind, with_advice(held, case, lines, Some(place))))
 }
 
-fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool) -> Vec<String> {
+/// `place`: where it could be accepted, if it is up to acceptance.
+fn with_advice(
+    held: &Held,
+    case: &Case,
+    mut lines: Vec<String>,
+    place: Option<&Place<'_>>,
+) -> Vec<String> {
     if held.accepted_of(&case.scene).is_some() {
         lines.push(held.since(&case.scene, &case.engine));
     }
@@ -172,21 +179,21 @@ fn with_advice(held: &Held, case: &Case, mut lines: Vec<String>, up_to_you: bool
         Level::Fuzz => random_command(&case.engine, None),
     };
     lines.push(format!("to see it: {show}"));
-    if up_to_you {
-        let accept = format!("carom check {} --accept --reason \"...\"", case.scene);
+    if let Some(place) = place {
+        let accept = place.command(&format!(" {}", case.scene));
         lines.push(format!("if it is right: {accept}"));
     }
     lines
 }
 
-/// Lines by which GitHub's runner marks lines of baselines, one a failing case.
-pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
+/// Lines by which GitHub's runner marks lines of baselines, one a failing case; where those are built in there is no line to mark.
+pub fn annotations(held: &Held, place: &Place<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for case in &held.outcome.cases {
-        let Some((_, words)) = failure(held, case).filter(|_| case.state == State::Ran) else {
+        let Some((_, words)) = failure(held, place, case).filter(|_| case.state == State::Ran)
+        else {
             continue;
         };
-        let file = folder.join(format!("{}.csv", case.scene));
         let change = held
             .changes_of(&case.scene, &case.engine, case.level)
             .next();
@@ -195,9 +202,12 @@ pub fn annotations(held: &Held, folder: &Path) -> Vec<String> {
             (Some(accepted), Some(address)) => accepted.line(address),
             _ => 1,
         };
+        let place = place.file(&case.scene).map_or(String::new(), |file| {
+            let file = printable(&file.display().to_string());
+            format!("file={},line={line},", property(&file))
+        });
         lines.push(format!(
-            "::error file={},line={line},title={}::{}",
-            property(&printable(&file.display().to_string())),
+            "::error {place}title={}::{}",
             property(&printable(&format!("{} in {}", case.scene, case.engine))),
             escaped(&words.join("\n"))
         ));

@@ -23,15 +23,13 @@ mod single;
 
 pub use settings::{Ccd, Friction, Preset, Settings};
 
+use super::built::{Built, built};
 use super::setting::knobs_of;
 use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
 use run::Simulation;
-
-/// Version of both crates, as pinned in Cargo.toml.
-const VERSION: &str = "0.36.1";
 
 /// The scene in rapier, in one precision.
 #[derive(Debug)]
@@ -62,6 +60,14 @@ pub static RAPIER_F32: Rapier = Rapier {
 };
 
 impl Rapier {
+    fn crate_of_it(&self) -> Built {
+        let compiled = match self.precision {
+            Precision::Double => double::world::compiled_at(),
+            Precision::Single => single::world::compiled_at(),
+        };
+        built(self.package, compiled)
+    }
+
     /// Smallest and largest size of a number whose fourth power the scalar still holds: energies, quartic distances and
     /// inverse inertias stay finite and above zero.
     fn range(&self) -> (f64, f64) {
@@ -92,7 +98,11 @@ impl Engine for Rapier {
     }
 
     fn version(&self) -> String {
-        format!("{} {VERSION}", self.package)
+        self.crate_of_it().to_string()
+    }
+
+    fn built(&self) -> Vec<Built> {
+        vec![self.crate_of_it()]
     }
 
     fn about(&self) -> About {

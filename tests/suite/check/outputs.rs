@@ -243,31 +243,84 @@ fn every_option_in_the_instructions_is_one_of_the_program() {
     let help = check(root, &["--help"]);
     let help = String::from_utf8(help.stdout).unwrap();
     let mut options = 0;
-    for file in [
-        "validation/CI.md",
-        ".github/actions/carom-check/action.yml",
-        ".ci/run",
+    for (file, marks) in [
+        ("validation/CI.md", &["-- check ", ".ci/fork "][..]),
+        (".github/actions/carom-check/run", &["/.ci/fork\" "]),
+        (".ci/run", &["installed check "]),
+        (".ci/broken-rapier", &["/.ci/fork\" "]),
     ] {
         let text = fs::read_to_string(root.join(file)).unwrap();
         // an action's command goes on in the next line
         let text = text.replace("\\\n", " ");
-        let commands = text.split('\n').filter_map(|line| {
-            let (_, own) = line
-                .split_once("-- ")
-                .filter(|_| line.contains("cargo run"))?;
-            own.trim_start().strip_prefix("check")
-        });
-        let mut found = 0;
-        for option in commands.flat_map(|own| own.split(' ')) {
-            found += 1;
-            if option.starts_with("--") {
-                options += 1;
-                assert!(help.contains(option), "{file}: {option}");
+        for mark in marks {
+            let mut found = 0;
+            let lines = text.lines().filter_map(|line| line.split_once(mark));
+            for (_, own) in lines {
+                found += 1;
+                for option in own.split(' ').filter(|word| word.starts_with("--")) {
+                    options += 1;
+                    assert!(help.contains(option), "{file}: {option}");
+                }
             }
+            assert!(found > 0, "{file} has no command after {mark}");
         }
-        assert!(found > 0, "{file} has no command");
     }
-    assert!(options >= 6, "{options}");
+    assert!(options >= 10, "{options}");
+}
+
+#[test]
+fn a_fork_is_checked_in_every_crate_that_an_engine_is_built_from() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let built = carom::engine::ENGINES.iter().flat_map(|e| e.built());
+    let crates: Vec<&str> = built.map(|built| built.name).collect();
+    assert_eq!(crates, ["rapier3d-f64", "rapier3d"]);
+    let page = fs::read_to_string(root.join("validation/CI.md")).unwrap();
+    let action = fs::read_to_string(root.join(".github/actions/carom-check/action.yml")).unwrap();
+    let gate = fs::read_to_string(root.join(".ci/run")).unwrap();
+    for name in crates {
+        let by_action = format!("\n      {name}=");
+        assert!(
+            page.contains(&by_action),
+            "the action's example lacks {name}"
+        );
+        let by_script = page
+            .lines()
+            .find(|line| line.starts_with(".ci/fork "))
+            .unwrap();
+        assert!(by_script.contains(&format!(" {name}=")), "{by_script}");
+        assert!(
+            action.contains(&format!("{name}=")),
+            "the action does not speak of {name}"
+        );
+        assert!(
+            gate.contains(&format!("--built-from {name}=registry")),
+            "{name}"
+        );
+    }
+    // each input arrives under the name that the script reads
+    let script = fs::read_to_string(root.join(".github/actions/carom-check/run")).unwrap();
+    let inputs = action
+        .split("inputs:")
+        .nth(1)
+        .unwrap()
+        .split("runs:")
+        .next()
+        .unwrap();
+    let inputs = inputs
+        .lines()
+        .filter(|l| l.starts_with("  ") && !l.starts_with("   "));
+    let mut read = 0;
+    for input in inputs.map(|line| line.trim().trim_end_matches(':')) {
+        let variable = input.to_uppercase();
+        let given = format!("{variable}: ${{{{ inputs.{input} }}}}\n");
+        assert!(action.contains(&given), "{input} is not handed on");
+        assert!(
+            script.contains(&format!("${{{variable}:-")),
+            "{input} is not read"
+        );
+        read += 1;
+    }
+    assert!(read >= 4, "{read} inputs");
 }
 
 #[test]

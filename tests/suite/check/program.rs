@@ -3,6 +3,8 @@
 use super::{SCENES, accept, baselines, check, command, said};
 use crate::accepting::kill_while_accepting;
 use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 #[test]
 fn the_baselines_of_the_repository_are_met_to_the_bit() {
@@ -156,4 +158,124 @@ fn a_kill_while_accepting_leaves_whole_baselines() {
     let folder = folder.path();
     accept(folder, &SCENES);
     kill_while_accepting(folder, &SCENES, command);
+}
+
+/// The program in a folder of its own, with nothing in its environment and no folder of baselines named.
+fn alone(folder: &Path, arguments: &[&str]) -> std::process::Output {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin("carom"));
+    command.env_clear().current_dir(folder).arg("check");
+    command.args(arguments).output().unwrap()
+}
+
+#[test]
+fn the_program_has_the_baselines_of_its_version_with_it() {
+    let empty = tempfile::tempdir().unwrap();
+    let json = [&SCENES[..], &["--format", "json"]].concat();
+    let built_in = alone(empty.path(), &json);
+    let named = check(&baselines(), &json);
+    for output in [&built_in, &named] {
+        assert_eq!(output.status.code(), Some(0), "{}", said(output));
+    }
+    let words = "those built into carom ";
+    let from_folder = baselines().display().to_string();
+    let (built_in, named) = (
+        String::from_utf8(built_in.stdout).unwrap(),
+        String::from_utf8(named.stdout).unwrap(),
+    );
+    assert!(
+        built_in.contains(words) && !named.contains(words),
+        "{built_in}"
+    );
+    let version = env!("CARGO_PKG_VERSION");
+    let same = named.replace(&from_folder, &format!("{words}{version}"));
+    assert_eq!(built_in, same);
+    assert!(built_in.contains("everything is as accepted"), "{built_in}");
+    assert_eq!(fs::read_dir(empty.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn what_is_built_in_is_not_accepted_over() {
+    let empty = tempfile::tempdir().unwrap();
+    let output = alone(empty.path(), &["slide", "--accept", "--reason", "why"]);
+    let told = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    let command = "carom check --accept --reason \"...\" --baseline DIR";
+    assert!(told.contains(command), "{told}");
+    // a folder that is not there is not taken for the one that is built in
+    let output = alone(
+        empty.path(),
+        &["slide", "--baseline", "validation/baselines"],
+    );
+    let told = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(
+        told.contains("nothing is accepted of slide in validation/baselines"),
+        "{told}"
+    );
+    // a scene of the catalogue that is not in the gate
+    let output = alone(empty.path(), &["cradle"]);
+    let told = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(
+        told.contains("nothing is accepted of cradle among those built into"),
+        "{told}"
+    );
+    assert_eq!(fs::read_dir(empty.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn nothing_is_held_of_an_engine_that_was_built_from_elsewhere() {
+    let empty = tempfile::tempdir().unwrap();
+    let is = engine_sources();
+    for (wanted, code, words) in [
+        (is.clone(), 0, "everything is as accepted".to_owned()),
+        (
+            is.replace("=registry", "=path"),
+            2,
+            "was not used in the crate graph".to_owned(),
+        ),
+        (
+            is.replace("=registry", "=git"),
+            2,
+            "was not built with rapier3d".to_owned(),
+        ),
+        // what an engine needs is part of it
+        (
+            "parry3d-f64=path".to_owned(),
+            2,
+            "parry3d-f64 0.".to_owned(),
+        ),
+        (
+            "rapier2d=path".to_owned(),
+            2,
+            "no engine needs a crate rapier2d".to_owned(),
+        ),
+        ("rapier3d".to_owned(), 2, "expected CRATE=SOURCE".to_owned()),
+        (
+            "rapier3d=folder".to_owned(),
+            2,
+            "registry, git, path".to_owned(),
+        ),
+    ] {
+        let mut arguments = vec!["slide"];
+        for wanted in wanted.split(' ') {
+            arguments.extend(["--built-from", wanted]);
+        }
+        let output = alone(empty.path(), &arguments);
+        let told = said(&output)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert_eq!(output.status.code(), Some(code), "{wanted}: {told}");
+        assert!(told.contains(&words), "{wanted}: {told}");
+    }
+}
+
+/// What the engines are built from, as `--built-from` says it.
+fn engine_sources() -> String {
+    let built = carom::engine::ENGINES
+        .iter()
+        .flat_map(|engine| engine.built());
+    let sources = built.map(|built| format!("{}={}", built.name, built.word()));
+    sources.collect::<Vec<_>>().join(" ")
 }

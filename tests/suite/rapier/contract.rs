@@ -14,17 +14,6 @@ use std::sync::atomic::AtomicBool;
 type Change = (&'static str, fn(&mut Scene));
 
 #[test]
-fn the_version_is_the_one_that_is_locked() {
-    let lock = include_str!("../../../Cargo.lock");
-    for (id, _) in BOTH {
-        let version = engine::find(id).unwrap().version();
-        let (package, number) = version.split_once(' ').unwrap();
-        let entry = format!("name = \"{package}\"\nversion = \"{number}\"\n");
-        assert!(lock.contains(&entry), "{id} says {version}");
-    }
-}
-
-#[test]
 fn balls_of_unequal_radii_are_refused_only_where_they_can_meet() {
     let mut scene = cut_shot(0.0, 1.0, 1.0).build();
     scene.balls[1].radius = 0.5 * R;

@@ -220,3 +220,29 @@ fn every_hard_scene_has_an_accepted_file_and_no_other_is_there() {
     expected.sort();
     assert_eq!(files, expected);
 }
+
+#[test]
+fn the_program_has_the_accepted_findings_of_its_version_with_it() {
+    let empty = tempfile::tempdir().unwrap();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("validation/hard");
+    let json = [SCENE, "--format", "json"];
+    let alone = |arguments: &[&str]| {
+        let mut command = Command::new(cargo_bin("carom"));
+        command.env_clear().current_dir(empty.path());
+        command.arg("stability").args(arguments).output().unwrap()
+    };
+    let (built_in, named) = (alone(&json), stability(&folder, &json));
+    for output in [&built_in, &named] {
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    }
+    let words = concat!("those built into carom ", env!("CARGO_PKG_VERSION"));
+    let same = text(&named.stdout).replace(&folder.display().to_string(), words);
+    assert!(same.contains(words), "{same}");
+    assert_eq!(text(&built_in.stdout), same);
+    let refused = alone(&[SCENE, "--accept", "--reason", "why"]);
+    let said = text(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    let command = "carom stability --accept --reason \"...\" --accepted DIR";
+    assert!(said.contains(command), "{said}");
+    assert_eq!(fs::read_dir(empty.path()).unwrap().count(), 0);
+}
