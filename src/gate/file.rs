@@ -308,6 +308,12 @@ mod tests {
                 header,
                 "lack `# reason",
             ),
+            (
+                "# hash: 0123\n",
+                "# hash: 0123\n# hash: 0123\n",
+                4,
+                "`hash` is listed twice",
+            ),
             ("00ff00ff00ff00ff", "00ff", 6, "no digest"),
             ("00ff00ff00ff00ff", "00FF00FF00FF00FF", 6, "no digest"),
             (

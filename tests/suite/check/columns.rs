@@ -41,6 +41,9 @@ fn moved(text: &str) -> Option<String> {
         return Some((count + 1).to_string());
     }
     let x: f64 = text.parse().ok()?;
+    if !x.is_finite() {
+        return Some("0.5".to_owned());
+    }
     Some(format!("{:?}", 1.01 * x + 1e-3))
 }
 
@@ -107,6 +110,9 @@ fn every_column(copy: &Copy, file: &str) -> usize {
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap().split(',').collect();
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    if rows.is_empty() {
+        return 0;
+    }
     let mut altered = 0;
     for (column, name) in header.iter().enumerate() {
         for row in rows_to_alter(&rows, column) {

@@ -93,6 +93,45 @@ fn two_folders_of_baselines_are_held_against_each_other() {
     let (code, said) = diff(&at("a"), &at("b"));
     assert_eq!(code, Some(1), "{said}");
     assert!(said.contains("1 finding differs: 1 moved"), "{said}");
+    // what stands above the findings is held or told
+    for (old, new, code, words) in [
+        (
+            "# hash: ",
+            "# hash: f",
+            1,
+            "2 findings differ: 1 vanished, 1 appeared",
+        ),
+        (
+            "# scene: slide",
+            "# scene: head-on",
+            2,
+            "it says that it is of the scene head-on",
+        ),
+        (
+            "# reason: ",
+            "# reason: not ",
+            0,
+            "in 1 the reason is another",
+        ),
+        (
+            "# version of target: ",
+            "# version of target: not ",
+            0,
+            "Of other versions: target was ",
+        ),
+        (
+            ",work,steps,",
+            ",work,steps,inf,holds\nhavok,work,steps,",
+            1,
+            "differ",
+        ),
+    ] {
+        assert!(text.contains(old), "{old}");
+        fs::write(at("b").join("slide.csv"), text.replacen(old, new, 1)).unwrap();
+        let (got, said) = diff(&at("a"), &at("b"));
+        assert_eq!(got, Some(code), "{new}: {said}");
+        assert!(said.contains(words), "{new}: {said}");
+    }
     fs::write(at("b").join("slide.csv"), "no baseline").unwrap();
     assert_eq!(diff(&at("a"), &at("b")).0, Some(2));
 }

@@ -6,7 +6,7 @@ use carom::engine::{About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusa
 use carom::gate::{Accepted, Held, Refused};
 use carom::physics::invariants::Invariant;
 use carom::scene::{Scene, catalogue};
-use carom::study::check::{HELD, Level, ORACLE, Outcome, State, level, study};
+use carom::study::check::{HELD, Level, ORACLE, Outcome, State, WRITTEN, level, study};
 use carom::study::compare::default_columns;
 use carom::study::{Column, Watch};
 use carom::trace::{Record, Trace};
@@ -201,6 +201,11 @@ fn what_was_stopped_has_missing_cases_and_is_held_against_nothing() {
     assert_eq!(outcome.missing(), outcome.cases.len());
     let held = Held::new(outcome, vec![Some(Accepted::default())], Vec::new());
     assert_eq!(held.changes, []);
+    // nothing is held of what did run, either
+    for level in Level::ALL {
+        let against = held.against("slide", "exact", level);
+        assert_eq!(against, carom::study::check::Against::NotHeld);
+    }
     assert_eq!(held.standing().acceptance(), Err(Refused::CutShort));
 }
 
@@ -209,9 +214,11 @@ fn what_is_held_has_unique_names_apart_from_those_of_metrics() {
     let ids: Vec<&str> = HELD
         .iter()
         .map(|held| held.id)
+        .chain(WRITTEN.iter().map(|held| held.id))
         .chain(carom::compare::METRICS.iter().map(|metric| metric.id))
         .collect();
     let unique: BTreeSet<&str> = ids.iter().copied().collect();
     assert_eq!(unique.len(), ids.len());
-    assert!(HELD.iter().all(|held| !held.what.is_empty()));
+    let all = HELD.iter().chain(WRITTEN);
+    assert!(all.clone().count() > 20 && all.clone().all(|held| !held.what.is_empty()));
 }
