@@ -18,6 +18,7 @@ use crate::engine::Limits;
 use crate::math::random::Draws;
 use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Certainty, Ending, Event, EventKind, Trace};
+use std::cell::Cell;
 
 /// Certainty is not computed for more balls than this: the margin of an event looks at all of them.
 pub const MOST_BALLS: usize = 1000;
@@ -32,6 +33,9 @@ const DEVIATIONS: f64 = 4.0;
 /// Balls within reach of each other, at most, whose impacts are tried in every order: beyond, the order is taken to matter. No
 /// instant of a run before its horizon has so many.
 const MOST_IN_REACH: usize = 32;
+
+/// Up to so many balls every order is tried, however long the error of a time is.
+const FEW_BALLS: usize = 8;
 
 /// Seed of the signs; any number would do.
 const SEED: u64 = 7;
@@ -108,7 +112,7 @@ fn next_times(events: &[Event], balls: usize) -> Vec<f64> {
 struct Work {
     /// Events.
     events: u64,
-    /// Balls that were looked at for an event.
+    /// Balls whose way was looked at, for one event after another.
     looks: u64,
     /// Clusters of which every order was tried.
     searches: u64,
@@ -234,6 +238,7 @@ impl<'a> Table<'a> {
             versions: &self.versions,
         };
         let all = 0..self.flights.len();
+        self.work.looks += all.len() as u64;
         let next = view.next_event(ball, now, all, known, &mut self.notes);
         let end = match self.script.trace.ending {
             // an event can also fall out of the run
@@ -264,30 +269,35 @@ impl<'a> Table<'a> {
 
     /// True if impacts within `window` seconds of this one could come in another order with another result.
     ///
-    /// Also where that is not tried: within as much time as the whole run took anything could have come first, and so it could among
-    /// more than [`MOST_IN_REACH`] balls.
+    /// Also where that is not tried: among more than a few balls, within as much time as the whole run took, anything could have come
+    /// first; and so it could among more than [`MOST_IN_REACH`] of them.
     fn order_matters(&mut self, event: &Event, window: f64) -> bool {
         if self.script.scene.simultaneous == Simultaneous::GeneralizedReflections {
             // the convention takes them all at once
             return false;
         }
-        if window > self.script.trace.end_time {
+        if self.flights.len() > FEW_BALLS && window > self.script.trace.end_time {
             return true;
         }
-        let state = |ball: usize| self.flights[ball].at(event.time);
+        let looks = Cell::new(0);
+        let state = |ball: usize| {
+            looks.set(looks.get() + 1);
+            self.flights[ball].at(event.time)
+        };
         let everyone = |_: usize| (0..self.flights.len()).collect();
         let (a, b) = event.kind.balls();
         let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
         self.work.searches += 1;
-        Cluster::around(
+        let cluster = Cluster::around(
             &self.world,
             &seeds,
             &state,
             &everyone,
             window,
             MOST_IN_REACH,
-        )
-        .order_matters()
+        );
+        self.work.looks += looks.get();
+        cluster.order_matters()
     }
 
     /// Takes the balls of an event to its far side.
@@ -317,5 +327,95 @@ fn encounter(kind: EventKind) -> Option<Near> {
         EventKind::BallBall(a, b) => Some(Near::Pair(a as usize, b as usize)),
         EventKind::BallCushion(a, side) => Some(Near::Cushion(a as usize, side)),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::exact::solve;
+    use crate::scene::generate::{Recipe, generate};
+    use crate::scene::{catalogue, parse};
+    use std::sync::atomic::AtomicBool;
+
+    fn gas(balls: usize) -> Scene {
+        let recipe = Recipe {
+            balls,
+            duration: 1e6,
+            ..Recipe::default()
+        };
+        let text = generate(&recipe).unwrap_or_else(|error| panic!("{error}"));
+        parse("gas.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    fn of(scene: &Scene, events: u64) -> (Trace, Work) {
+        let limits = Limits {
+            max_events: events,
+            ..Limits::NONE
+        };
+        let trace = solve::<f64>(scene, &limits).trace;
+        let script = Script::new(scene, &trace);
+        let (found, work) = certified(&script, f64::EPSILON, &Limits::NONE);
+        assert_eq!((found.len() as u64, work.events), (events, events));
+        (trace, work)
+    }
+
+    #[test]
+    fn ten_times_the_events_are_ten_times_the_work() {
+        let bouncing = catalogue::scene("bounces-100000").unwrap_or_else(|e| panic!("{e}"));
+        for (scene, least) in [(bouncing, 1_000), (gas(16), 1_000), (gas(100), 2_000)] {
+            let (_, few) = of(&scene, least);
+            let (_, many) = of(&scene, 10 * least);
+            // beyond the horizon every event is in doubt, and a search ends as soon as too many balls are within reach: each of
+            // those looks at all once, and all are looked at once more for the next event of either ball
+            let balls = scene.balls.len() as u64;
+            let each = 2 * balls + (MOST_IN_REACH as u64 + 1) * (balls + 2);
+            for (work, events) in [(few, least), (many, 10 * least)] {
+                assert!(
+                    work.searches <= events && work.looks <= events * each,
+                    "{work:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_next_times_are_those_that_a_search_of_all_events_finds() {
+        let scene = gas(16);
+        let (trace, _) = of(&scene, 2_000);
+        let mut together = trace.events.clone();
+        // several at one time
+        for (index, event) in together.iter_mut().enumerate() {
+            event.time = (index / 3) as f64;
+        }
+        for events in [&trace.events, &together] {
+            let found = next_times(events, scene.balls.len());
+            for (event, found) in events.iter().zip(found) {
+                let later = events
+                    .iter()
+                    .find(|other| other.time > event.time && other.kind.shares_ball(event.kind));
+                assert_eq!(later.map_or(f64::INFINITY, |later| later.time), found);
+            }
+        }
+    }
+
+    #[test]
+    fn a_certification_that_is_asked_to_stop_leaves_nothing_half_done() {
+        let scene = gas(16);
+        let (mut trace, _) = of(&scene, 500);
+        let stop = AtomicBool::new(true);
+        let limits = Limits {
+            cancelled: &stop,
+            ..Limits::NONE
+        };
+        let script = Script::new(&scene, &trace);
+        let (found, work) = certified(&script, f64::EPSILON, &limits);
+        assert_eq!((found.len(), work.events), (0, 0));
+        assert_eq!(certify(&scene, &trace, f64::EPSILON, &limits), []);
+        let whole = certify(&scene, &trace, f64::EPSILON, &Limits::NONE);
+        assert_eq!(whole.len(), 500);
+        // a run that was stopped is not certified at all
+        trace.ending = Ending::Cancelled;
+        assert_eq!(certify(&scene, &trace, f64::EPSILON, &Limits::NONE), []);
     }
 }
