@@ -158,11 +158,17 @@ fn paragraph(words: &str) -> String {
     let (number, rest) = words.split_at(digits);
     if words.starts_with(['#', '-', '+', '>', '=', '~']) {
         format!("\\{words}")
-    } else if digits > 0 && rest.starts_with(['.', ')']) {
+    } else if digits > 0 && is_mark(rest) {
         format!("{number}\\{rest}")
     } else {
         words
     }
+}
+
+/// True for what makes the number before it that of a list.
+fn is_mark(rest: &str) -> bool {
+    let after = rest.strip_prefix(['.', ')']);
+    after.is_some_and(|after| after.is_empty() || after.starts_with(' '))
 }
 
 /// A heading: one that ends in `#` would lose it.

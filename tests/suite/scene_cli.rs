@@ -251,6 +251,7 @@ fn no_name_of_a_file_and_no_argument_commands_a_terminal() {
             !said.contains(['\u{1b}', '\u{202e}']),
             "{command:?}: {said:?}"
         );
-        assert!(said.contains("\\u{1b}[2J\\u{202e}b"), "{command:?}: {said}");
+        // clap takes the first away by itself
+        assert!(said.contains("\\u{202e}b"), "{command:?}: {said}");
     }
 }

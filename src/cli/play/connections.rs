@@ -125,3 +125,63 @@ pub fn end(socket: &TcpStream) {
     // one that is closed already is ended
     socket.shutdown(Shutdown::Both).ok();
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::expect_used)]
+mod tests {
+    use super::{Connections, Doing, Entered, Place};
+    use std::net::{TcpListener, TcpStream};
+
+    /// Both ends of a connection.
+    fn pair(listener: &TcpListener) -> (TcpStream, TcpStream) {
+        let there = TcpStream::connect(listener.local_addr().unwrap()).unwrap();
+        (listener.accept().unwrap().0, there)
+    }
+
+    fn placed(entered: Entered) -> Place {
+        match entered {
+            Entered::Place(place) => place,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn who_only_makes_others_wait_goes_first_and_the_oldest_of_them() {
+        use Doing::{Asking, Leaving, Taking, Waiting};
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let connections = Connections::new(6);
+        let doing = [Waiting, Asking, Taking, Leaving, Asking, Leaving];
+        let places = doing.map(|doing| {
+            let place = placed(connections.enter(pair(&listener).0));
+            assert!(place.is(doing));
+            place
+        });
+        let mut newer = Vec::new();
+        for (first, was) in [
+            (3, Leaving),
+            (5, Leaving),
+            (1, Asking),
+            (4, Asking),
+            (2, Taking),
+        ] {
+            let Entered::InPlaceOf(place, other, doing) = connections.enter(pair(&listener).0)
+            else {
+                panic!("nobody had to go");
+            };
+            assert_eq!(doing, was);
+            let own = &places[first].socket;
+            assert_eq!(other.peer_addr().unwrap(), own.peer_addr().unwrap());
+            assert!(!places[first].is(Waiting), "{first} still has its place");
+            assert!(place.is(Waiting));
+            newer.push(place);
+        }
+        // all that are left are being answered: nobody is cut off, and who is turned away is not counted
+        for _ in 0..3 {
+            let entered = connections.enter(pair(&listener).0);
+            assert!(matches!(entered, Entered::Full(_)), "{entered:?}");
+        }
+        drop(newer.pop());
+        let _last = placed(connections.enter(pair(&listener).0));
+        assert!(places[0].is(Waiting));
+    }
+}

@@ -342,3 +342,30 @@ impl Write for Timely<'_> {
         self.socket.flush()
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::connections::{Connections, Entered};
+    use super::{LAST_WORDS, Timely, refusal};
+    use std::net::{TcpListener, TcpStream};
+    use std::time::Instant;
+
+    #[test]
+    fn a_refusal_gives_no_more_time_than_the_request_had() {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let there = TcpStream::connect(listener.local_addr().unwrap()).unwrap();
+        let connections = Connections::new(1);
+        let Entered::Place(place) = connections.enter(listener.accept().unwrap().0) else {
+            panic!("there is room for one");
+        };
+        // nobody stays to listen, so that nobody is waited for
+        drop(there);
+        let mut stream = Timely::new(&place.socket);
+        for until in [stream.until, Instant::now()] {
+            stream.until = until;
+            stream.refuse(&refusal(400, "no request".to_owned()), &place);
+            assert!(stream.until <= until.max(Instant::now() + LAST_WORDS));
+        }
+    }
+}

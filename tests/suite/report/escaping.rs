@@ -351,4 +351,25 @@ fn only_what_is_markup_where_it_stands_is_escaped() {
     ] {
         assert_eq!(cell(words), escaped);
     }
+    let line = |words: &str| {
+        let document = Document {
+            blocks: vec![Block::Text(words.into())],
+            ..Document::default()
+        };
+        markdown::write(&document)
+            .lines()
+            .last()
+            .unwrap()
+            .to_owned()
+    };
+    for (words, escaped) in [
+        ("2.84 m x 1.42 m", "2.84 m x 1.42 m"),
+        ("a | b", "a | b"),
+        ("1. first", "1\\. first"),
+        ("2)", "2\\)"),
+        ("- first", "\\- first"),
+        ("# first", "\\# first"),
+    ] {
+        assert_eq!(line(words), escaped);
+    }
 }
