@@ -167,8 +167,8 @@ fn a_rerun_with_other_bits_breaks_the_promise_of_a_rerun() {
         }
     });
     let held = held(&["head-on"], &FICKLE);
-    let broken: Vec<Invariant> = held.outcome.broken.iter().map(|b| b.invariant).collect();
-    assert_eq!(broken, [Invariant::Rerun]);
+    let broken: Vec<&str> = held.outcome.broken.iter().map(|b| b.what).collect();
+    assert_eq!(broken, [Invariant::Rerun.id()]);
 }
 
 #[test]

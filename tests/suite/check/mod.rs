@@ -5,6 +5,7 @@ mod diff;
 mod levels;
 mod outputs;
 mod program;
+mod random;
 
 use assert_cmd::cargo::cargo_bin;
 use std::path::Path;
