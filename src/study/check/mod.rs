@@ -1,4 +1,4 @@
-//! What every later version is held against: the scenes of the gate in every engine, on five levels.
+//! What every later version is held against: the scenes of the gate in every engine, on five levels, and random scenes on a sixth.
 //!
 //! Plan: each scene in each column, and in each setting that its `try` asks for, once, with the images that the column promises something
 //! about; the scenes that nobody can predict to their end as an ensemble as well. Conclusion: findings, each with a [`Level`], and a list of the [`Case`]s that must have run, so that a

@@ -1,4 +1,5 @@
-//! Random scenes that look for trouble, in engines that promise to hold: what must be true of every run is checked of each.
+//! Random scenes that look for trouble, in engines that promise to hold: what must be true of every run is checked of each, and every impact
+//! and motion by closed forms that share nothing with the engines' laws.
 //!
 //! Plan: scene by scene, made as a file, read as any file, run in every engine within a limit of events, and judged. Conclusion:
 //! how the runs ended, the worst of each bound with its scene, and every fault with the number of its scene, which anybody can

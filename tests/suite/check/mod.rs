@@ -6,6 +6,7 @@ mod diff;
 mod levels;
 mod outputs;
 mod program;
+mod random;
 mod standing;
 
 use assert_cmd::cargo::cargo_bin;

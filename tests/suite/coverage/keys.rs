@@ -48,7 +48,7 @@ fn every_key_at_another_value_is_held_so_that_ignoring_it_is_noticed() {
                 if wrong.engine.pace(&scene, &wrong.setting).is_err() {
                     continue;
                 }
-                let held = held(std::slice::from_ref(&scene), &[wrong]);
+                let held = held(std::slice::from_ref(&scene), &[wrong], 0);
                 if !caught(&held).is_empty() {
                     missing.remove(&place);
                 }

@@ -50,7 +50,7 @@ fn every_number_of_every_law_is_held_in_every_column_that_accepts_it() {
                     engine: Wrong::engine(column.engine.id(), Fault::Number(key, 1.0 + MORE)),
                     setting: column.setting.clone(),
                 };
-                !caught(&held(std::slice::from_ref(*scene), &[wrong])).is_empty()
+                !caught(&held(std::slice::from_ref(*scene), &[wrong], 0)).is_empty()
             };
             if !own.iter().any(notices) {
                 missing.insert((key.to_owned(), column.label()));

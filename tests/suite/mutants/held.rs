@@ -24,14 +24,19 @@ pub fn gate_scenes(names: &[&str]) -> Vec<Scene> {
     names.iter().map(scene).collect()
 }
 
-/// Runs scenes in columns as `check` does.
-fn study(scenes: &[Scene], columns: &[Column]) -> Outcome {
+/// Runs scenes in columns as `check` does, and so many of its random ones.
+fn study(scenes: &[Scene], columns: &[Column], random: u64) -> Outcome {
     static NEVER: AtomicBool = AtomicBool::new(false);
     let watch = Watch {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    check::study(scenes, columns, watch).unwrap()
+    let mut outcome = check::study(scenes, columns, watch).unwrap();
+    if random > 0 {
+        let plan = check::random_plan(columns, random);
+        outcome.add_random(&carom::study::random::study(plan, watch));
+    }
+    outcome
 }
 
 /// Accepted findings of a scene for some columns and what it asks of them, and of the oracle.
@@ -53,11 +58,11 @@ fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
     baseline
 }
 
-/// Runs scenes in columns and holds them against what is accepted.
-pub fn hold(scenes: &[Scene], columns: &[Column]) -> Held {
+/// Runs scenes in columns and holds them against what is accepted; `random`: so many of the gate's random scenes, whose counts are not held.
+pub fn hold(scenes: &[Scene], columns: &[Column], random: u64) -> Held {
     let baselines = scenes.iter().map(|scene| Some(accepted(scene, columns)));
     let baselines = baselines.collect();
-    Held::new(study(scenes, columns), baselines, Vec::new())
+    Held::new(study(scenes, columns, random), baselines, Vec::new())
 }
 
 /// What is not as accepted; empty exactly when the decision is that everything is.

@@ -31,6 +31,9 @@ const PAGE: &str = include_str!("../../../validation/MUTANTS.md");
 /// Where the table begins.
 const TABLE: &str = "| mutant |";
 
+/// Random scenes in which each mutant runs: a part of those of the gate.
+const RANDOM: u64 = 300;
+
 /// Reruns of what is not mutated.
 const REPETITIONS: usize = 50;
 
@@ -61,7 +64,7 @@ fn every_mutant_is_caught_by_the_level_that_the_page_says() {
     let mut missed = Vec::new();
     for mutant in all() {
         let columns = [mutant.column()];
-        let held = held::hold(&held::gate_scenes(mutant.scenes), &columns);
+        let held = held::hold(&held::gate_scenes(mutant.scenes), &columns, RANDOM);
         let caught = held::caught(&held);
         if caught.is_empty() {
             missed.push(mutant.id);
@@ -115,7 +118,7 @@ fn what_is_not_mutated_is_never_flagged_for_any_number_of_threads() {
                 engine: engine::find(id).unwrap(),
                 setting: Setting::parse(setting.iter().copied()).unwrap(),
             }];
-            let held = pool.install(|| held::hold(&held::gate_scenes(&names), &column));
+            let held = pool.install(|| held::hold(&held::gate_scenes(&names), &column, 0));
             let flagged = held::caught(&held);
             assert!(
                 flagged.is_empty(),
@@ -137,7 +140,7 @@ fn what_is_not_mutated_is_never_flagged_for_any_number_of_threads() {
 fn an_event_that_is_not_told_is_seen_in_the_motion_that_it_leaves_unexplained() {
     let mutant = MUTANTS.iter().find(|mutant| mutant.id == "event-not-told");
     let mutant = mutant.unwrap();
-    let held = held::hold(&held::gate_scenes(mutant.scenes), &[mutant.column()]);
+    let held = held::hold(&held::gate_scenes(mutant.scenes), &[mutant.column()], 0);
     let noticed = held.changes.iter().filter_map(|located| {
         let row = located.change.row()?;
         (row.check == "unexplained").then_some(row.value?)

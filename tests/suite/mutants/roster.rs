@@ -536,8 +536,10 @@ fn side_forgotten(scene: &mut Scene) {
 }
 
 fn ids_swapped(_: &Scene, trace: &mut Trace) {
-    trace.paths.swap(0, 1);
-    trace.stop_times.swap(0, 1);
+    if trace.paths.len() > 1 {
+        trace.paths.swap(0, 1);
+        trace.stop_times.swap(0, 1);
+    }
 }
 
 /// The rows of some events and their far sides are left out.

@@ -68,6 +68,26 @@ impl Audit<'_> {
         }
     }
 
+    /// The most that the cloth takes of the speed of a centre each second, length/s^2.
+    pub(super) fn pull(&self) -> f64 {
+        let rates = self.rates();
+        rates.slide.max(rates.roll)
+    }
+
+    /// What a clock without steps is good to, s.
+    pub(super) fn clock(&self, time: f64) -> f64 {
+        4.0 * f64::EPSILON * time
+    }
+
+    /// Relative error of a number after `time` s: each step rounds it once more.
+    fn grown(&self, time: f64) -> f64 {
+        if self.step > 0.0 {
+            self.grain + 4.0 * f64::EPSILON * (time / self.step)
+        } else {
+            self.grain
+        }
+    }
+
     fn turns_on_cloth(&self) -> bool {
         matches!(self.scene.effects.cloth, Some(Cloth::Rotational { .. }))
     }
@@ -169,7 +189,7 @@ impl Audit<'_> {
 
     /// What a clock is good to, s: some ulp of its time, or steps.
     fn blur(&self, piece: &Piece) -> f64 {
-        4.0 * f64::EPSILON * piece.times[1] + STEPS * self.step
+        self.clock(piece.times[1]) + STEPS * self.step
     }
 
     /// Velocity, place and spin at the end under a constant push, length/s^2, and turn, R times rad/s^2.
@@ -179,22 +199,12 @@ impl Audit<'_> {
         let (v0, v1) = (plan(&piece.start.velocity), plan(&piece.end.velocity));
         let (w0, w1) = (plan(&piece.start.spin), plan(&piece.end.spin));
         let (x0, x1) = (plan(&piece.start.position), plan(&piece.end.position));
-        // each step rounds once more
-        let grain = if self.step > 0.0 {
-            self.grain * (1.0 + h / self.step)
-        } else {
-            self.grain
-        };
+        let grain = self.grown(h);
         let pull = push.norm();
         let surface = w0.norm() * piece.radius;
         let speeds = v0.norm() + surface + pull * h;
         // within a step a slide may end and a roll begin
-        let rates = self.rates();
-        let most = if self.step > 0.0 {
-            rates.slide.max(rates.roll)
-        } else {
-            pull
-        };
+        let most = if self.step > 0.0 { self.pull() } else { pull };
         let velocity = Off {
             what: "cloth-velocity",
             off: (v1 - v0 - push * h).norm(),
@@ -209,7 +219,7 @@ impl Audit<'_> {
         let place = Off {
             what: "cloth-place",
             off: (x1 - x0 - v0 * h - push * (0.5 * h * h)).norm(),
-            allowed: self.grain * (x0.norm() + x1.norm())
+            allowed: grain * (x0.norm() + x1.norm())
                 + grain * speeds * h
                 + (fastest + most * h) * blur
                 + NONE,
@@ -221,11 +231,7 @@ impl Audit<'_> {
     fn vertical(&self, piece: &Piece, rates: Rates) -> Off {
         let h = piece.times[1] - piece.times[0];
         let [from, to] = [&piece.start, &piece.end].map(|state| state.spin.z * piece.radius);
-        let grain = if self.step > 0.0 {
-            self.grain * (1.0 + h / self.step)
-        } else {
-            self.grain
-        };
+        let grain = self.grown(h);
         let lost = if from == 0.0 { 0.0 } else { rates.spin * h };
         let want = from - lost.copysign(from);
         Off {
@@ -246,8 +252,8 @@ impl Audit<'_> {
         let radius = self.scene.balls[ball].radius;
         let Jump { time, near, far } = *jump;
         let rates = self.rates();
-        let blur = 4.0 * f64::EPSILON * time;
-        let fastest = rates.slide.max(rates.roll);
+        let blur = self.clock(time);
+        let fastest = self.pull();
         let made = near.velocity.norm() + radius * near.spin.norm();
         let speeds = (far.velocity - near.velocity).norm() + radius * (far.spin - near.spin).norm();
         let speeds_allowed = self.history(ball, jump) + (8.0 * fastest + rates.spin) * blur + NONE;

@@ -57,9 +57,10 @@ impl Audit<'_> {
             }
             return;
         }
-        // a ball that the cloth presses against a cushion meets it again and again with no speed
+        // a ball that the cloth presses against a cushion meets it again and again with no speed, but for what the clock makes of it
         let parting = (-near.velocity.x).max(0.0);
-        if !together && let Some(off) = self.off(Part::Impact, parting, self.grain * size) {
+        let allowed = self.grain * size + self.pull() * self.clock(jump.time) + NONE;
+        if !together && let Some(off) = self.off(Part::Impact, parting, allowed) {
             let words = self.against("parting before they meet", ball, side, jump);
             return self.fault("cushion-parting", format!("{words}: {off}"));
         }
