@@ -30,6 +30,10 @@ fn what_was_accepted_is_held_in_both_directions() {
     let file = folder.join("slide.csv");
     let good = fs::read_to_string(&file).unwrap();
     assert!(good.contains("# reason: for a test\n"), "{good}");
+    for built in carom::engine::ENGINES.iter().flat_map(|e| e.built()) {
+        assert!(built.word() != "unknown", "{built}");
+        assert!(good.contains(&format!(": {built}\n")), "{built}: {good}");
+    }
     let line = |start: &str| good.lines().find(|l| l.starts_with(start)).unwrap();
     let steps = line("stepper,work,steps,");
     let stop = line("oracle,stopped-at,");
