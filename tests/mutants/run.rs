@@ -74,15 +74,18 @@ impl Workshop {
     /// Holds scenes as `carom check` does; all of the gate where none is named. Errors: why there is no answer.
     pub fn check(&self, scenes: &[String]) -> Result<Caught, String> {
         self.build()?;
-        let said = self.build.join("check.json");
-        let output = fs::File::create(&said).map_err(|error| error.to_string())?;
+        // what is printed is cut short; the page is whole
+        let page = self.build.join("check");
+        let _ = fs::remove_dir_all(&page);
         let program = self.build.join("debug").join("carom");
         let mut running = Command::new(program)
             .arg("check")
             .args(scenes)
-            .args(["--format", "json", "--baseline"])
+            .arg("--baseline")
             .arg(self.sources.join("validation").join("baselines"))
-            .stdout(output)
+            .arg("--out")
+            .arg(&page)
+            .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
             .map_err(|error| format!("it does not start: {error}"))?;
@@ -97,10 +100,10 @@ impl Workshop {
                 None => std::thread::sleep(Duration::from_millis(20)),
             }
         };
-        let text = fs::read_to_string(&said).map_err(|error| error.to_string())?;
         match status.code() {
             Some(0 | 1) => {
-                let caught = caught(&text)?;
+                let text = fs::read_to_string(page.join("report.json"));
+                let caught = caught(&text.map_err(|error| error.to_string())?)?;
                 if caught.is_empty() == (status.code() == Some(0)) {
                     Ok(caught)
                 } else {
