@@ -41,17 +41,26 @@ impl Workshop {
             sources: place.join("sources"),
             build: place.join("build"),
         };
+        // dependencies that `cargo test` has built are not built again; where they cannot be had, cargo builds them
+        let (theirs, ours) = (root.join("target/debug"), workshop.build.join("debug"));
+        if !ours.exists() {
+            for part in ["deps", "build", ".fingerprint"] {
+                let _ = linked(&theirs.join(part), &ours.join(part));
+            }
+        }
         for name in COPIED {
             mirror(&root.join(name), &workshop.sources.join(name));
         }
         workshop
     }
 
-    /// Builds the copy as it stands. Errors: what the compiler said.
+    /// Builds the program of the copy as it stands, as a test asks for it: with the features of dependencies that `cargo test` has. Errors: what the
+    /// compiler said.
     fn build(&self) -> Result<(), String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let built = Command::new(cargo)
-            .args(["build", "--locked", "--bin", "carom", "--target-dir"])
+            .args(["test", "--locked", "--no-run", "--test", "source_mutants"])
+            .arg("--target-dir")
             .arg(&self.build)
             .current_dir(&self.sources)
             .output()
@@ -65,15 +74,18 @@ impl Workshop {
     /// Holds scenes as `carom check` does; all of the gate where none is named. Errors: why there is no answer.
     pub fn check(&self, scenes: &[String]) -> Result<Caught, String> {
         self.build()?;
-        let said = self.build.join("check.json");
-        let output = fs::File::create(&said).map_err(|error| error.to_string())?;
+        // what is printed is cut short; the page is whole
+        let page = self.build.join("check");
+        let _ = fs::remove_dir_all(&page);
         let program = self.build.join("debug").join("carom");
         let mut running = Command::new(program)
             .arg("check")
             .args(scenes)
-            .args(["--format", "json", "--baseline"])
+            .arg("--baseline")
             .arg(self.sources.join("validation").join("baselines"))
-            .stdout(output)
+            .arg("--out")
+            .arg(&page)
+            .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
             .map_err(|error| format!("it does not start: {error}"))?;
@@ -88,10 +100,10 @@ impl Workshop {
                 None => std::thread::sleep(Duration::from_millis(20)),
             }
         };
-        let text = fs::read_to_string(&said).map_err(|error| error.to_string())?;
         match status.code() {
             Some(0 | 1) => {
-                let caught = caught(&text)?;
+                let text = fs::read_to_string(page.join("report.json"));
+                let caught = caught(&text.map_err(|error| error.to_string())?)?;
                 if caught.is_empty() == (status.code() == Some(0)) {
                     Ok(caught)
                 } else {
@@ -142,6 +154,26 @@ fn mirror(from: &Path, to: &Path) {
             fs::write(to, ours).unwrap();
         }
     }
+}
+
+/// Hard links of all files below `from`, which keep their age. What stands in this crate's own name is left out: it is built anew.
+fn linked(from: &Path, to: &Path) -> std::io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let words = name.to_string_lossy();
+        let own = ["carom-", "libcarom-", "suite-", "source_mutants-"];
+        if own.iter().any(|own| words.starts_with(own)) {
+            continue;
+        }
+        if entry.file_type()?.is_dir() {
+            linked(&entry.path(), &to.join(name))?;
+        } else {
+            fs::hard_link(entry.path(), to.join(name))?;
+        }
+    }
+    Ok(())
 }
 
 /// What the JSON of a check says differs, level by level.

@@ -226,12 +226,12 @@ fn on_cloth(law: Cloth, state: &State, radius: f64) -> Option<&'static str> {
             let turning = radius * w.norm();
             if slip > NONE * speed.max(turning) && slip > 0.0 {
                 Some("slides")
-            } else if speed > NONE * turning && w.z != 0.0 {
+            } else if speed <= NONE * turning && w.z != 0.0 {
+                Some("turns on the spot")
+            } else if w.z != 0.0 {
                 Some("turns about the vertical on its way")
             } else if speed > 0.0 {
                 Some("rolls")
-            } else if w.z != 0.0 {
-                Some("turns on the spot")
             } else {
                 None
             }

@@ -28,7 +28,11 @@ pub struct Exempt {
 }
 
 /// Branches that no gate scene goes through.
-const EXEMPT: &[Exempt] = &[];
+const EXEMPT: &[Exempt] = &[Exempt {
+    what: "cushion.mathavan-2010: sticks at both",
+    engine: "",
+    why: "a ball that both hold is wedged: the impulse of the nose moves it no more, so it does not come back",
+}];
 
 /// The scenes of the gate.
 pub fn gate() -> Vec<Scene> {
@@ -41,26 +45,28 @@ pub fn gate() -> Vec<Scene> {
 ///
 /// `missing`: what and in which engine.
 pub fn hold(what: &str, missing: &BTreeSet<(String, String)>, exempt: &[Exempt]) {
+    let faults = faults(missing, exempt);
+    assert!(faults.is_empty(), "{what}: {faults:#?}");
+}
+
+/// What no gate scene holds and no exemption names, and exemptions that nothing needs.
+fn faults(missing: &BTreeSet<(String, String)>, exempt: &[Exempt]) -> Vec<String> {
     let matches = |one: &Exempt, (of, engine): &(String, String)| {
         one.what == of && (one.engine.is_empty() || one.engine == engine)
     };
-    let uncovered: Vec<_> = missing
+    let uncovered = missing
         .iter()
         .filter(|one| !exempt.iter().any(|e| matches(e, one)))
-        .collect();
-    assert!(
-        uncovered.is_empty(),
-        "{what} that no gate scene holds: {uncovered:#?}"
-    );
-    for one in exempt {
-        assert!(one.why.len() > 20, "{}: no reason", one.what);
-        assert!(
-            missing.iter().any(|of| matches(one, of)),
-            "{what}: {} in {:?} is held, and needs no exemption",
-            one.what,
-            one.engine
-        );
-    }
+        .map(|(what, engine)| format!("no gate scene holds {what} in {engine}"));
+    let idle = exempt
+        .iter()
+        .filter(|one| !missing.iter().any(|of| matches(one, of)))
+        .map(|one| format!("{} is held, and needs no exemption", one.what));
+    let unreasoned = exempt
+        .iter()
+        .filter(|one| one.why.len() < 20)
+        .map(|one| format!("{} is exempt without a reason", one.what));
+    uncovered.chain(idle).chain(unreasoned).collect()
 }
 
 /// Two balls on a table, which every law can act on.
@@ -109,27 +115,19 @@ fn every_branch_of_every_law_occurs_in_a_gate_scene_of_every_column_that_accepts
 #[test]
 fn what_is_missing_is_told_and_so_is_an_exemption_that_is_not_needed() {
     let missing = BTreeSet::from([("a".to_owned(), "exact".to_owned())]);
-    let exempt = |what, engine| Exempt {
-        what,
-        engine,
-        why: "a reason that is long enough",
-    };
-    hold("branches", &missing, &[exempt("a", "exact")]);
-    hold("branches", &missing, &[exempt("a", "")]);
-    let fails = |exempt: &[Exempt]| {
-        std::panic::catch_unwind(|| {
-            let exempt: Vec<Exempt> = exempt.iter().map(|e| Exempt { ..*e }).collect();
-            hold(
-                "branches",
-                &BTreeSet::from([("a".to_owned(), "exact".to_owned())]),
-                &exempt,
-            );
-        })
-        .is_err()
-    };
-    assert!(fails(&[]));
-    assert!(fails(&[exempt("a", "stepper")]));
-    assert!(fails(&[exempt("a", "exact"), exempt("b", "")]));
+    let exempt = |what, engine, why| Exempt { what, engine, why };
+    let why = "a reason that is long enough";
+    let count = |exempt: &[Exempt]| faults(&missing, exempt).len();
+    assert_eq!(count(&[exempt("a", "exact", why)]), 0);
+    assert_eq!(count(&[exempt("a", "", why)]), 0);
+    assert_eq!(count(&[]), 1, "nothing holds it");
+    assert_eq!(
+        count(&[exempt("a", "stepper", why)]),
+        2,
+        "of another engine"
+    );
+    assert_eq!(count(&[exempt("a", "exact", why), exempt("b", "", why)]), 1);
+    assert_eq!(count(&[exempt("a", "exact", "")]), 1, "without a reason");
 }
 
 /// The columns of a scene that its `try` adds.

@@ -27,11 +27,11 @@ pub const MISSED: &[Mutant] = &[
         scenes: &["keys-of-rapier"],
     },
     Mutant {
-        id: "rapier-friction-model-ignored",
-        what: "the simplified model of friction instead of Coulomb's",
+        id: "rapier-warm-start-ignored",
+        what: "contacts start from all of their last impulse instead of none",
         engine: "rapier-f32",
-        setting: &["friction_model=coulomb"],
-        fault: Fault::Setting("friction_model", "simplified"),
+        setting: &["warmstart_coefficient=0.0"],
+        fault: Fault::Setting("warmstart_coefficient", "1.0"),
         scenes: &["keys-of-rapier"],
     },
     Mutant {
