@@ -127,7 +127,6 @@ impl<'t> Piece<'t> {
         let list = keys.next().filter(|(key, _)| key.get_ref() == "balls")?;
         let alone = errors.is_empty() && keys.next().is_none();
         let whole = alone && matches!(list.1.get_ref(), DeValue::Array(_));
-        drop(keys);
         whole.then_some(Piece { chunk, root })
     }
 
