@@ -5,9 +5,9 @@ use super::setting::refuse;
 use crate::physics::Cloth;
 use crate::scene::Scene;
 
-/// Largest part of the smallest radius by which the clock may leave the place of a ball unsure: what a scene's coordinates are held to
-/// as well.
-const COARSEST: f64 = 1e-6;
+/// Largest part of the smallest radius by which the clock may leave the place of a ball unsure. Below, an engine can still say of each
+/// event how sure it is; not much above, gaps are taken for contacts.
+const COARSEST: f64 = 0.1;
 
 /// Roundings of the clock and of the way since then that a place has seen.
 const ROUNDINGS: f64 = 8.0;

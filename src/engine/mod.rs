@@ -166,7 +166,7 @@ pub enum Refusal {
     },
     /// The scene lasts for longer than the clock of any engine can tell.
     #[error(
-        "a duration of {duration} s is beyond the clock: it could no longer say where the fastest ball is to a millionth of a \
+        "a duration of {duration} s is beyond the clock: it could no longer say where the fastest ball is to a tenth of a \
          radius; {most:.1e} s are the most"
     )]
     TooLong {

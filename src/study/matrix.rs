@@ -388,7 +388,8 @@ pub fn fold_blocks<T: Send>(
     let items = indices.end.saturating_sub(indices.start);
     let (done, often) = (
         AtomicU64::new(0),
-        items.div_ceil(BLOCK * TOLD as u64).max(1),
+        // now and then, however many there are
+        items.div_ceil(BLOCK * TOLD as u64).clamp(1, ROUND),
     );
     let run = |range: Range<u64>| {
         let answer = block(range);

@@ -154,14 +154,20 @@ pub enum FileError {
     },
 }
 
+/// Balls that an error lists at most.
+const LISTED: usize = 16;
+
 /// Index of the ball called `id`, or what would be right.
 fn ball_index(trace_balls: &[String], id: &str) -> Result<u32, String> {
     let found = trace_balls.iter().position(|ball| ball == id);
     found.map(|index| index as u32).ok_or_else(|| {
-        format!(
-            "there is no ball `{id}`; {FINAL} names {}",
-            trace_balls.join(", ")
-        )
+        let listed = trace_balls.len().min(LISTED);
+        let more = match trace_balls.len() - listed {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let names = trace_balls[..listed].join(", ");
+        format!("there is no ball `{id}`; {FINAL} names {names}{more}")
     })
 }
 
