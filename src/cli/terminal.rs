@@ -58,8 +58,11 @@ pub fn colour_on_stderr() -> bool {
     io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-/// Listens for Ctrl-C and SIGTERM from now on. Until a command has asked for [`cancelled`], the first one ends the program.
+/// Listens for Ctrl-C, SIGTERM and the end of the terminal from now on. Until a command has asked for [`cancelled`], the first one
+/// ends the program.
 pub fn listen() {
+    #[cfg(target_os = "linux")]
+    spare_hangups();
     // where it cannot be listened for, the system ends the program
     let _ = ctrlc::set_handler(|| {
         if !HEEDED.load(Ordering::Relaxed) {
@@ -70,6 +73,24 @@ pub fn listen() {
             end();
         }
     });
+}
+
+/// What `nohup` began goes on when its terminal ends: there SIGHUP is ignored, and the handler, which is one for all signals, must not see it.
+#[cfg(target_os = "linux")]
+fn spare_hangups() {
+    use nix::sys::signal::{SigSet, Signal};
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    // the first bit is signal 1, which is this one
+    if ignored.is_some_and(|mask| mask & 1 == 1) {
+        let mut hangup = SigSet::empty();
+        hangup.add(Signal::SIGHUP);
+        // every thread is begun after this one and does as it does; where it cannot, a hangup stops the program
+        hangup.thread_block().ok();
+    }
 }
 
 /// Ends the program at once, and leaves no file half written.

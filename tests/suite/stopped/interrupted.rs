@@ -41,8 +41,8 @@ fn until_it_listens(child: &mut Child) {
     if !cfg!(target_os = "linux") {
         return std::thread::sleep(Duration::from_millis(500));
     }
-    // SIGINT is signal 2, SIGTERM 15, and the first bit is signal 1
-    const BOTH: u64 = 1 << 1 | 1 << 14;
+    // SIGHUP is signal 1 and the first bit, SIGINT 2, SIGTERM 15
+    const ALL: u64 = 1 | 1 << 1 | 1 << 14;
     let file = format!("/proc/{}/status", child.id());
     while child.try_wait().unwrap().is_none() {
         let status = fs::read_to_string(&file).unwrap_or_default();
@@ -50,7 +50,7 @@ fn until_it_listens(child: &mut Child) {
             .lines()
             .find_map(|line| line.strip_prefix("SigCgt:"))
             .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
-        if mask.is_some_and(|mask| mask & BOTH == BOTH) {
+        if mask.is_some_and(|mask| mask & ALL == ALL) {
             return;
         }
         std::thread::sleep(Duration::from_millis(1));
@@ -366,4 +366,33 @@ fn a_stopped_run_is_no_run_to_compare() {
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert!(said.lines().next().unwrap().contains(STOPPED), "{said}");
     assert!(output.stdout.is_empty());
+}
+
+/// `nohup` begins a program with SIGHUP ignored, and means it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_hangup_stops_a_program_unless_it_was_told_to_ignore_it() {
+    let program = assert_cmd::cargo::cargo_bin("carom");
+    for (trap, stops) in [("true", true), ("trap '' HUP", false)] {
+        let script = format!("{trap}; exec {} fuzz --scenes 200000", program.display());
+        let mut child = Command::new("sh")
+            .args(["-c", &script])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        until_it_listens(&mut child);
+        send("HUP", &child);
+        if !stops {
+            // it was sent, and nobody gets it
+            let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+            let pending = status.lines().find_map(|line| line.strip_prefix("ShdPnd:"));
+            let pending = u64::from_str_radix(pending.unwrap().trim(), 16).unwrap();
+            assert_eq!(pending & 1, 1, "{status}");
+            assert!(child.try_wait().unwrap().is_none());
+            send("TERM", &child);
+        }
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{trap}");
+    }
 }
