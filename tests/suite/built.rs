@@ -1,6 +1,6 @@
 //! What the engines were built from: the lock file of the build, and nothing that it does not say.
 
-#[path = "../../build/locked.rs"]
+#[path = "../../src/cli/build/locked.rs"]
 #[allow(dead_code, reason = "the build script calls the rest")]
 mod locked;
 

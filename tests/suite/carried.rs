@@ -1,6 +1,6 @@
 //! The files that travel with the program: all that are in `validation/`, and all in a package.
 
-#[path = "../../build/carried.rs"]
+#[path = "../../src/cli/build/carried.rs"]
 mod files;
 
 use carom::carried::{below, text};
@@ -55,7 +55,7 @@ fn a_package_has_all_that_travels_and_all_that_builds_it() {
     }
     for name in [
         "Cargo.lock",
-        "build/main.rs",
+        "src/cli/build/main.rs",
         "build/carried.rs",
         "build/locked.rs",
     ] {

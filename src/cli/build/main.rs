@@ -14,7 +14,7 @@ fn main() -> Result<(), String> {
     let of = |name: &str| env::var(name).map_err(|_| format!("cargo sets no {name}"));
     let (root, out) = (of("CARGO_MANIFEST_DIR")?, of("OUT_DIR")?);
     let (root, out) = (Path::new(&root), Path::new(&out));
-    println!("cargo::rerun-if-changed=build");
+    println!("cargo::rerun-if-changed=src/cli/build");
     compiler();
 
     let carried = carried::files(&root.join("validation"))?;
