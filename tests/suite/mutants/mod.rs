@@ -8,6 +8,7 @@ mod laws;
 mod plain;
 mod roster;
 mod slip;
+mod told;
 
 use crate::support::run;
 use carom::engine::{self, Setting};
