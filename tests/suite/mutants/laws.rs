@@ -4,13 +4,13 @@
 
 use super::engines::{Fault, Wrong};
 use super::slip::Slip;
+use super::told;
 use carom::engine::Setting;
-use carom::math::Vec3;
-use carom::physics::{Cloth, Contact, Cushion, Friction, Side};
+use carom::physics::{Cloth, Contact, Cushion, Friction};
 use carom::scene::Scene;
 use carom::study::matrix::{Column, Watch};
-use carom::study::random::{Outcome, Plan, study};
-use carom::trace::{EventKind, Trace};
+use carom::study::random::{Failure, Outcome, Plan, study};
+use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
 /// Enough for each law with numbers that show it.
@@ -49,12 +49,10 @@ fn a_wrong_law_is_flagged_by_name_in_some_hundred_random_scenes() {
     let mut missed = Vec::new();
     for (number, (engine, fault, what, law)) in MUTANTS.iter().enumerate() {
         let found = outcome(engine, *fault, SCENES);
-        let named = |failure: &&carom::study::random::Failure| {
-            failure.fault.what == *what && failure.fault.words.contains(law)
-        };
-        if found.failures.iter().find(named).is_none() {
-            let seen: std::collections::BTreeSet<&str> =
-                found.failures.iter().map(|f| f.fault.what).collect();
+        let named =
+            |failure: &Failure| failure.fault.what == *what && failure.fault.words.contains(law);
+        if !found.failures.iter().any(named) {
+            let seen: BTreeSet<&str> = found.failures.iter().map(|f| f.fault.what).collect();
             missed.push(format!("{number}: {engine} {what} {law}: {seen:?}"));
         }
     }
@@ -154,14 +152,19 @@ const MUTANTS: &[Mutant] = &[
     ),
     (
         EXACT,
-        Fault::Trace(touch_at_the_sum),
+        Fault::Trace(told::touch_at_the_sum),
         "hit-distance",
         "touch",
     ),
-    (EXACT, Fault::Trace(spin_reversed), "hit-spin", "friction."),
     (
         EXACT,
-        Fault::Trace(one_ball_only),
+        Fault::Trace(told::spin_reversed),
+        "hit-spin",
+        "friction.",
+    ),
+    (
+        EXACT,
+        Fault::Trace(told::one_ball_only),
         "hit-momentum",
         "momentum",
     ),
@@ -204,13 +207,13 @@ const MUTANTS: &[Mutant] = &[
     ),
     (
         EXACT,
-        Fault::Trace(han_never_sticks),
+        Fault::Trace(told::han_never_sticks),
         "cushion-friction",
         "cushion.han-2005",
     ),
     (
         EXACT,
-        Fault::Trace(han_always_sticks),
+        Fault::Trace(told::han_always_sticks),
         "cushion-friction",
         "cushion.han-2005",
     ),
@@ -234,7 +237,7 @@ const MUTANTS: &[Mutant] = &[
     ),
     (
         EXACT,
-        Fault::Trace(side_forgotten),
+        Fault::Trace(told::side_forgotten),
         "cushion-spin",
         "cushion.elastic",
     ),
@@ -276,13 +279,13 @@ const MUTANTS: &[Mutant] = &[
     ),
     (
         EXACT,
-        Fault::Trace(position_drifts),
+        Fault::Trace(told::position_drifts),
         "cloth-place",
         "cloth.",
     ),
     (
         EXACT,
-        Fault::Trace(stops_early),
+        Fault::Trace(told::stops_early),
         "cloth-velocity",
         "no cloth",
     ),
@@ -298,7 +301,7 @@ const MUTANTS: &[Mutant] = &[
         "pocket-place",
         "rim",
     ),
-    (EXACT, Fault::Trace(event_not_told), "told", "paths"),
+    (EXACT, Fault::Trace(told::event_not_told), "told", "paths"),
     (
         STEPPER,
         Fault::Step(Slip::RestitutionSquared),
@@ -577,144 +580,5 @@ fn pockets_too_small(scene: &mut Scene) {
         .flat_map(|p| &mut p.circles)
     {
         circle[2] *= 0.9;
-    }
-}
-
-/// Changes the far side of each jump of one ball: the scene, the event's kind, ball, near and far side.
-fn jumps(
-    trace: &mut Trace,
-    mut change: impl FnMut(EventKind, usize, carom::physics::State, &mut carom::physics::State),
-) {
-    for (ball, path) in trace.paths.iter_mut().enumerate() {
-        for i in 1..path.knots.len() {
-            if let Some(event) = path.knots[i].after {
-                let near = path.knots[i - 1].state;
-                let kind = trace.events[event as usize].kind;
-                change(kind, ball, near, &mut path.knots[i].state);
-            }
-        }
-    }
-}
-
-/// Balls of unequal radii touch where their radii add up in plan.
-fn touch_at_the_sum(scene: &Scene, trace: &mut Trace) {
-    let hits: Vec<(usize, usize, u32)> = trace
-        .events
-        .iter()
-        .enumerate()
-        .filter_map(|(i, event)| match event.kind {
-            EventKind::BallBall(a, b) => Some((a as usize, b as usize, i as u32)),
-            _ => None,
-        })
-        .collect();
-    for (a, b, event) in hits {
-        let sum = scene.balls[a].radius + scene.balls[b].radius;
-        let at = |trace: &Trace, ball: usize| {
-            let knots = &trace.paths[ball].knots;
-            knots
-                .iter()
-                .position(|knot| knot.after == Some(event))
-                .unwrap()
-        };
-        let (i, j) = (at(trace, a), at(trace, b));
-        let from = trace.paths[a].knots[i].state.position;
-        let line = trace.paths[b].knots[j].state.position - from;
-        let plan = Vec3::new(line.x, line.y, 0.0);
-        let moved = plan * (sum / plan.norm() - 1.0);
-        for knot in &mut trace.paths[b].knots[j - 1..=j] {
-            knot.state.position += moved;
-        }
-    }
-}
-
-fn spin_reversed(_: &Scene, trace: &mut Trace) {
-    jumps(trace, |kind, _, _, far| {
-        if let EventKind::BallBall(..) = kind {
-            far.spin = -far.spin;
-        }
-    });
-}
-
-/// The second ball of a hit goes on as if nothing were.
-fn one_ball_only(_: &Scene, trace: &mut Trace) {
-    jumps(trace, |kind, ball, near, far| {
-        if let EventKind::BallBall(_, second) = kind
-            && second as usize == ball
-        {
-            *far = near;
-        }
-    });
-}
-
-fn side_forgotten(_: &Scene, trace: &mut Trace) {
-    jumps(trace, |kind, _, _, far| {
-        if let EventKind::BallCushion(..) = kind {
-            far.spin.z = 0.0;
-        }
-    });
-}
-
-fn han_never_sticks(scene: &Scene, trace: &mut Trace) {
-    han_friction(scene, trace, |limit, _| limit);
-}
-
-fn han_always_sticks(scene: &Scene, trace: &mut Trace) {
-    han_friction(scene, trace, |_, sticking| sticking);
-}
-
-/// Friction of Han's cushion of another size, from its limit and what ends the slip.
-fn han_friction(scene: &Scene, trace: &mut Trace, size: fn(f64, f64) -> f64) {
-    let Some(Cushion::Han2005 { e, mu, height }) = scene.effects.cushion else {
-        return;
-    };
-    jumps(trace, |kind, ball, near, far| {
-        let EventKind::BallCushion(_, side) = kind else {
-            return;
-        };
-        let radius = scene.balls[ball].radius;
-        let sin = height - 1.0;
-        let cos = (1.0 - sin * sin).sqrt();
-        let into = match side {
-            Side::X0 => -Vec3::x(),
-            Side::X1 => Vec3::x(),
-            Side::Y0 => -Vec3::y(),
-            Side::Y1 => Vec3::y(),
-        };
-        let nose = into * cos + Vec3::z() * sin;
-        let closing = near.velocity.dot(&nose);
-        let slip = near.velocity - nose * closing + near.spin.cross(&nose) * radius;
-        let normal = (1.0 + e) * closing;
-        let speed = slip.norm();
-        if speed > 0.0 {
-            let push = slip * (-size(mu * normal, 2.0 / 7.0 * speed) / speed);
-            far.velocity = near.velocity - nose * normal + push;
-            far.velocity.z = 0.0;
-            far.spin = near.spin + nose.cross(&push) * (2.5 / radius);
-        }
-    });
-}
-
-fn position_drifts(scene: &Scene, trace: &mut Trace) {
-    let rate = 1e-6 * scene.largest_speed();
-    for knot in trace.paths.iter_mut().flat_map(|path| &mut path.knots) {
-        knot.state.position.x += rate * knot.time;
-    }
-}
-
-/// What moves freely has stopped when it comes to the next knot.
-fn stops_early(scene: &Scene, trace: &mut Trace) {
-    if scene.effects.cloth.is_some() {
-        return;
-    }
-    for path in &mut trace.paths {
-        if let Some(last) = path.knots.last_mut().filter(|knot| knot.after.is_none()) {
-            last.state.velocity = Vec3::zeros();
-        }
-    }
-}
-
-fn event_not_told(_: &Scene, trace: &mut Trace) {
-    if let Some(event) = trace.events.iter_mut().find(|e| e.kind.is_collision()) {
-        event.kind = EventKind::Stop(0);
     }
 }

@@ -9,6 +9,7 @@ mod missed;
 mod plain;
 mod roster;
 mod slip;
+mod told;
 
 pub use engines::{Fault, Wrong};
 pub use held::{caught, hold as held};
