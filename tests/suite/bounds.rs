@@ -11,7 +11,7 @@ use carom::study::matrix::{MOST_COLUMNS, fold_blocks};
 use carom::study::mutation::Examples;
 use carom::study::{Column, Watch, ensemble, mutation, random};
 use carom::trace::Record;
-use carom::trace::files::{Files, read};
+use carom::trace::files::{self, Files, read};
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -39,13 +39,13 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
     let flag = AtomicBool::new(false);
     let stop = |_: usize, _: usize, _: &str| flag.store(true, Ordering::Relaxed);
     let watch = stopping_at_once(&stop, &flag);
-    // told of a two-hundredth of all blocks at the earliest: the flag is set by the blocks instead
+    // told of every so many blocks: here the flag is set by the blocks instead
     let begun = AtomicUsize::new(0);
     let mut folded = 0;
     fold_blocks(
         0..u64::MAX,
         "things",
-        watch,
+        stopping_at_once(&|_, _, _| {}, &flag),
         |range| {
             if begun.fetch_add(1, Ordering::Relaxed) > 2000 {
                 flag.store(true, Ordering::Relaxed);
@@ -523,6 +523,14 @@ fn an_error_in_a_trace_of_very_many_balls_does_not_name_them_all() {
             wrong.collect::<String>()
         ),
         final_states: columns.chain(rows).collect(),
+        run: files::write(&run(
+            "exact",
+            &[],
+            &catalogue::scene("head-on").unwrap(),
+            Record::Events,
+        ))
+        .unwrap()
+        .run,
         ..Files::default()
     };
     let words = read(&files).unwrap_err().to_string();

@@ -56,8 +56,8 @@ fn a_package_has_all_that_travels_and_all_that_builds_it() {
     for name in [
         "Cargo.lock",
         "src/cli/build/main.rs",
-        "build/carried.rs",
-        "build/locked.rs",
+        "src/cli/build/carried.rs",
+        "src/cli/build/locked.rs",
     ] {
         assert!(listed.contains(name), "{name} is in no package");
     }

@@ -1,6 +1,6 @@
 //! `precision=auto`: starts in f64 and goes on to more digits when an event turns out to be too close to call.
 
-use super::certainty::{MOST_BALLS, certify};
+use super::certainty::{MOST_BALLS, certify_run};
 use super::solve::Solver;
 use super::{Prepared, Settings};
 use crate::engine::{Inside, Limits, Parameter, Refusal, Run};
@@ -82,11 +82,7 @@ fn judged<T: Real>(
 ) -> Trace {
     let scene = solver.scene;
     let mut trace = solver.run(provenance, record, limits);
-    trace.certainty = certify(scene, &trace, T::ULP, limits);
-    if trace.certainty.len() < trace.events.len() {
-        // the user asked to stop before it was known whether these digits are enough
-        trace.ending = Ending::Cancelled;
-    }
+    certify_run(scene, &mut trace, T::ULP, limits);
     trace.counters.insert(BITS.to_owned(), u64::from(T::BITS));
     trace
 }

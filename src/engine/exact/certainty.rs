@@ -58,6 +58,15 @@ pub fn certify(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> V
     certified(&script, ulp, limits).0
 }
 
+/// Certifies a run. One that the user stops meanwhile ends as stopped: it has not done all that it was asked for.
+pub(super) fn certify_run(scene: &Scene, trace: &mut Trace, ulp: f64, limits: &Limits<'_>) {
+    trace.certainty = certify(scene, trace, ulp, limits);
+    let due = scene.balls.len() <= MOST_BALLS && !trace.events.is_empty();
+    if due && trace.certainty.is_empty() {
+        trace.ending = Ending::Cancelled;
+    }
+}
+
 /// The certainty of all events, and the work that it took.
 fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certainty>, Work) {
     let events = &script.trace.events;
@@ -409,6 +418,9 @@ mod tests {
             ..Limits::NONE
         };
         let script = Script::new(&scene, &trace);
+        let mut run = trace.clone();
+        certify_run(&scene, &mut run, f64::EPSILON, &limits);
+        assert_eq!((run.ending, run.certainty), (Ending::Cancelled, Vec::new()));
         let (found, work) = certified(&script, f64::EPSILON, &limits);
         assert_eq!((found.len(), work.events), (0, 0));
         assert_eq!(certify(&scene, &trace, f64::EPSILON, &limits), []);

@@ -355,7 +355,7 @@ impl<T: Real> Run for Prepared<'_, T> {
     fn simulate(self: Box<Self>, record: Record, limits: &Limits<'_>) -> Trace {
         let mut trace = self.solver.run(self.provenance, record, limits);
         if let Record::Every(_) = record {
-            trace.certainty = certify(self.scene, &trace, T::ULP, limits);
+            certainty::certify_run(self.scene, &mut trace, T::ULP, limits);
         }
         trace
     }

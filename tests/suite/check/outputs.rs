@@ -114,8 +114,8 @@ fn junit_has_one_case_a_scene_engine_and_level_and_says_what_to_do() {
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     let text = fs::read_to_string(&file).unwrap();
     let document = valid(&text);
-    // the oracle, five columns on three levels, on four in the hard scene
-    assert_eq!(number(document.root_element(), "tests"), 2 + 15 + 20);
+    // the oracle, five columns on three levels, on four in the hard scene, which asks for seven settings more
+    assert_eq!(number(document.root_element(), "tests"), 2 + 15 + 20 + 28);
     let failures: Vec<Node<'_, '_>> = document
         .descendants()
         .filter(|node| node.has_tag_name("failure"))
