@@ -114,7 +114,7 @@ fn document(name: &str, words: &str) -> Document {
         marks: Vec::new(),
     };
     Document {
-        stopped_early: Some(words.into()),
+        stopped_early: None,
         id: "report".into(),
         title: name.into(),
         lead: words.into(),

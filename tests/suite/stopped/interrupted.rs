@@ -273,7 +273,7 @@ fn a_horizon_is_stopped() {
 #[test]
 fn an_ablation_is_stopped() {
     interrupted(
-        "effects draw --engines exact,stepper:dt=1e-8 --format csv --out OUT",
+        "effects draw --engines exact,stepper:dt=1e-8 --out OUT",
         true,
     );
 }
