@@ -158,8 +158,9 @@ impl Run for Prepared<'_> {
             }
             Fault::Setting(key, value) => {
                 let other = self.setting.with(key, value);
-                let run = self.of.prepare(self.scene, &other).unwrap();
-                run.simulate(record, limits)
+                // where the wrong setting cannot run, the fault cannot show
+                let run = self.of.prepare(self.scene, &other);
+                run.unwrap_or(self.right).simulate(record, limits)
             }
             Fault::Step(slip) => {
                 let settings: Settings = self.setting.read().unwrap();

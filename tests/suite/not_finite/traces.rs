@@ -41,10 +41,9 @@ fn a_run_that_ended_because_a_state_was_no_number_is_read_and_no_other_is() {
 
 #[test]
 fn what_the_program_writes_of_a_run_that_overflowed_is_read_again() {
-    // so far away that squares overflow, for a time that a clock resolves at such a speed
+    // so far away that squares overflow, on a table that is no bound
     let mut scene = catalogue::scene("slide").unwrap();
-    scene.duration = 1e-190;
-    scene.balls[0].state.velocity = Vec3::new(1e200, 0.0, 0.0);
+    scene.balls[0].state.velocity = Vec3::new(1.0, 0.0, 0.0);
     scene.balls[0].state.position.x = 1e300;
     scene.shot = None;
     let mut seen = 0;
