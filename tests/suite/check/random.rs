@@ -53,11 +53,11 @@ fn what_random_scenes_show_is_held_to_the_last_count_and_cannot_be_left_out() {
     };
     let met = decision(outcome.clone(), Some(accepted.clone()));
     assert_eq!(met, Decision::Met);
-    for index in 0..rows.len() {
+    for (index, row) in rows.iter().enumerate() {
         let mut other = accepted.clone();
         other.rows[index].value = other.rows[index].value.map(|count| count + 1.0);
         let decided = decision(outcome.clone(), Some(other));
-        assert_eq!(decided, Decision::NotMet, "{:?}", rows[index]);
+        assert_eq!(decided, Decision::NotMet, "{row:?}");
     }
     let mut stale = accepted;
     stale.hash = random_hash(&random::Plan {
