@@ -87,6 +87,7 @@ pub fn all() -> &'static [Entry] {
         "cushions-mathavan",
         "cushions-mathavan-rough",
         "cushions-mathavan-gearing",
+        "cushions-mathavan-creeping",
         "cushions-mathavan-high",
         "pocket-drops",
         "launched",

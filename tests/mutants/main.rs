@@ -16,7 +16,7 @@ mod run;
 mod table;
 
 use carom::study::check::Level;
-use run::{Caught, Workshop};
+use run::{Caught, Findings, Workshop};
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
     let workshop = Workshop::new(root);
     let start = Instant::now();
     match workshop.check(&[]) {
-        Ok(caught) if caught.is_empty() => {}
+        Ok(caught) if caught.is_nothing() => {}
         other => {
             println!("what is not mutated is not as accepted: {other:?}");
             return ExitCode::FAILURE;
@@ -57,7 +57,7 @@ fn main() -> ExitCode {
         let start = Instant::now();
         let line = match workshop.mutated(mutant) {
             Ok(caught) => {
-                if caught.is_empty() {
+                if caught.is_nothing() {
                     println!("{} is not caught", mutant.id);
                     failed = true;
                 }
@@ -101,13 +101,20 @@ fn hold(root: &Path) -> ExitCode {
     ExitCode::from(u8::from(!faults.is_empty()))
 }
 
-/// One mutant: how many findings of each level caught it, and the first of the first level.
+/// One mutant: how many findings of each level caught it, and the first of the first level; or why the gate cannot run.
 fn line(mutant: &Mutant, caught: &Caught) -> String {
+    let none = Findings::new();
+    let (findings, first) = match caught {
+        Caught::Findings(findings) => {
+            let first = findings.values().next().map(|(_, words)| words.clone());
+            (findings, first.unwrap_or_default())
+        }
+        Caught::Refused(why) => (&none, format!("exit code 2: {why}")),
+    };
     let counts = Level::ALL.map(|level| {
-        let count = caught.get(&level).map(|(count, _)| count.to_string());
+        let count = findings.get(&level).map(|(count, _)| count.to_string());
         count.unwrap_or_default()
     });
-    let first = caught.values().next().map_or("", |(_, words)| words);
     format!(
         "| {} | {} | {} | {} | {} |\n",
         mutant.id,

@@ -24,8 +24,24 @@ const COPIED: [&str; 7] = [
 /// A check of a few scenes takes seconds; one that takes longer than this has no end, s.
 const PATIENCE: u64 = 300;
 
-/// What caught a mutant: how many findings of each level, and the first of them in words.
-pub type Caught = BTreeMap<Level, (usize, String)>;
+/// How many findings of each level, and the first of them in words.
+pub type Findings = BTreeMap<Level, (usize, String)>;
+
+/// What caught a mutant.
+#[derive(Debug)]
+pub enum Caught {
+    /// The gate's findings; none where it is green.
+    Findings(Findings),
+    /// The gate cannot run (exit code 2), and says why.
+    Refused(String),
+}
+
+impl Caught {
+    /// Whether the gate is green.
+    pub fn is_nothing(&self) -> bool {
+        matches!(self, Caught::Findings(findings) if findings.is_empty())
+    }
+}
 
 /// The copy of the sources and what is built of it.
 pub struct Workshop {
@@ -78,6 +94,8 @@ impl Workshop {
         let page = self.build.join("check");
         let _ = fs::remove_dir_all(&page);
         let program = self.build.join("debug").join("carom");
+        let said = self.build.join("said");
+        let stderr = fs::File::create(&said).map_err(|error| error.to_string())?;
         let mut running = Command::new(program)
             .arg("check")
             .args(scenes)
@@ -86,7 +104,7 @@ impl Workshop {
             .arg("--out")
             .arg(&page)
             .stdout(Stdio::null())
-            .stderr(Stdio::null())
+            .stderr(stderr)
             .spawn()
             .map_err(|error| format!("it does not start: {error}"))?;
         let start = Instant::now();
@@ -103,12 +121,18 @@ impl Workshop {
         match status.code() {
             Some(0 | 1) => {
                 let text = fs::read_to_string(page.join("report.json"));
-                let caught = caught(&text.map_err(|error| error.to_string())?)?;
-                if caught.is_empty() == (status.code() == Some(0)) {
-                    Ok(caught)
+                let findings = findings(&text.map_err(|error| error.to_string())?)?;
+                if findings.is_empty() == (status.code() == Some(0)) {
+                    Ok(Caught::Findings(findings))
                 } else {
-                    Err(format!("{status}, but {} levels differ", caught.len()))
+                    Err(format!("{status}, but {} levels differ", findings.len()))
                 }
+            }
+            Some(2) => {
+                let said = fs::read_to_string(said).map_err(|error| error.to_string())?;
+                let first = said.lines().find(|line| line.starts_with("error"));
+                let why = first.ok_or_else(|| format!("{status}, without a word"))?;
+                Ok(Caught::Refused(why.to_owned()))
             }
             _ => Err(format!("it ended with {status}")),
         }
@@ -177,11 +201,11 @@ fn linked(from: &Path, to: &Path) -> std::io::Result<()> {
 }
 
 /// What the JSON of a check says differs, level by level.
-fn caught(json: &str) -> Result<Caught, String> {
+fn findings(json: &str) -> Result<Findings, String> {
     let document: Value = serde_json::from_str(json).map_err(|error| error.to_string())?;
-    let mut caught = Caught::new();
+    let mut findings = Findings::new();
     let mut note = |level: Level, words: String| {
-        caught.entry(level).or_insert((0, words)).0 += 1;
+        findings.entry(level).or_insert((0, words)).0 += 1;
     };
     // of the blocks only broken promises are a list: `exact in slide: rerun: why`
     let blocks = document["blocks"].as_array().into_iter().flatten();
@@ -204,7 +228,7 @@ fn caught(json: &str) -> Result<Caught, String> {
         }
         note(level, words(row, &word));
     }
-    Ok(caught)
+    Ok(findings)
 }
 
 /// `exact in slide: final-position cue moved, 1.030e-2 to 1.420e1`.
