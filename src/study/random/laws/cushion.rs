@@ -69,7 +69,7 @@ impl Audit<'_> {
             let mut other = far.velocity - near.velocity;
             other.x = 0.0;
             let off = other.norm() + (far.surface - near.surface).norm();
-            let allowed = 8.0 * self.grain * self.scene.fastest();
+            let allowed = self.chain();
             if let Some(off) = self.off(Part::Impact, off, allowed) {
                 let words = self.against("several at once", ball, side, jump);
                 self.fault("cushion-friction", format!("{words}, {off}"));

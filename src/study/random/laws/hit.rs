@@ -80,13 +80,15 @@ impl Audit<'_> {
             let other = parties[usize::from(party.sign < 0.0)];
             // its share of what two masses exchange
             let share = other.mass / (party.mass + other.mass);
-            let near = plan(&party.jump.near.velocity);
-            let change = plan(&party.jump.far.velocity) - near;
-            let mut allowed = grain * near.norm() + (1.0 + e) * share * error;
+            let [near, far] = [&party.jump.near, &party.jump.far].map(|side| plan(&side.velocity));
+            let change = far - near;
+            // each side is told to its own last digits: much friction leaves a ball that spins faster than it came
+            let told = grain * (near.norm() + far.norm());
+            let mut allowed = told + (1.0 + e) * share * error;
             let mut across = allowed + share * rub.error;
             if together {
-                // what the impulses of one instant leave between them is as large as any speed
-                allowed = 8.0 * grain * self.scene.fastest();
+                // all impulses of an instant between two balls are one: what it leaves may be faster than any ball will be
+                allowed = told + self.chain();
                 across = allowed;
             } else {
                 let want = party.sign * (1.0 + e) * share * closing;
