@@ -70,14 +70,22 @@ pub fn write(accepted: &Accepted) -> String {
     for (engine, digest) in &accepted.bits {
         entry(&format!("bits of {engine}"), digest);
     }
-    text += &format!("{}\n", HEADER.join(","));
-    for row in &accepted.rows {
+    // writing to memory does not fail, and a table of text is UTF-8
+    text + &table(&accepted.rows).unwrap_or_default()
+}
+
+/// The column names and one line a finding.
+fn table(rows: &[Row]) -> Option<String> {
+    let mut sheet = csv::Writer::from_writer(Vec::new());
+    sheet.write_record(HEADER).ok()?;
+    for row in rows {
+        let [engine, check, subject] = row.address().map(one_line);
+        let value = row.value.map(shortest).unwrap_or_default();
         let verdict = row.verdict.map_or("", Verdict::id);
-        let value = row.value.map_or(String::new(), shortest);
-        let fields = [&row.engine, &row.check, &row.subject, &value, verdict];
-        text += &format!("{}\n", fields.map(quoted).join(","));
+        let fields = [&engine[..], &check, &subject, &value, verdict];
+        sheet.write_record(fields).ok()?;
     }
-    text
+    String::from_utf8(sheet.into_inner().ok()?).ok()
 }
 
 /// Reads a file of accepted findings; says what is wrong with it, and in which line.
@@ -141,9 +149,17 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
             return Err(wrong(at, format!("the lines above lack `# {what}: ...`")));
         }
     }
+    let body = text.split_inclusive('\n').skip(at + 1).collect::<String>();
+    let mut sheet = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(body.as_bytes());
     let mut known = BTreeSet::new();
-    for (line, text) in lines {
-        let row = row(text).map_err(|why| wrong(line, why))?;
+    for record in sheet.records() {
+        let record = record.map_err(|error| wrong(at + 1, error.to_string()))?;
+        // its first line in the body, from 1
+        let line = at + record.position().map_or(1, |place| place.line() as usize);
+        let row = row(&record).map_err(|why| wrong(line, why))?;
         if !known.insert(row.address().map(str::to_owned)) {
             return Err(wrong(
                 line,
@@ -161,23 +177,26 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
     Ok(accepted)
 }
 
-fn row(text: &str) -> Result<Row, String> {
-    let fields = fields(text)?;
-    let [engine, check, subject, value, verdict] = fields.as_slice() else {
+fn row(record: &csv::StringRecord) -> Result<Row, String> {
+    let fields: Vec<&str> = record.iter().collect();
+    if fields.iter().any(|field| field.contains('\n')) {
+        return Err("a quote is not closed".to_owned());
+    }
+    let [engine, check, subject, value, verdict] = fields[..] else {
         return Err(format!(
             "expected {} fields, not {}",
             HEADER.len(),
             fields.len()
         ));
     };
-    let value = match value.as_str() {
+    let value = match value {
         "" => None,
         text => Some(
             text.parse()
                 .map_err(|_| format!("`{text}` is not a number"))?,
         ),
     };
-    let verdict = match verdict.as_str() {
+    let verdict = match verdict {
         "" => None,
         id => Some(Verdict::find(id).ok_or_else(|| {
             let known = Verdict::ALL.map(Verdict::id).join(", ");
@@ -188,9 +207,9 @@ fn row(text: &str) -> Result<Row, String> {
         return Err("a finding needs an engine and a check".to_owned());
     }
     Ok(Row {
-        engine: engine.clone(),
-        check: check.clone(),
-        subject: subject.clone(),
+        engine: engine.to_owned(),
+        check: check.to_owned(),
+        subject: subject.to_owned(),
         value,
         verdict,
     })
@@ -201,44 +220,9 @@ fn shortest(x: f64) -> String {
     format!("{x:?}")
 }
 
-/// A field, quoted where it has to be.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"']) {
-        format!("\"{}\"", one_line(field).replace('"', "\"\""))
-    } else {
-        one_line(field)
-    }
-}
-
 /// Words without line breaks.
 fn one_line(words: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// The fields of a line.
-fn fields(line: &str) -> Result<Vec<String>, String> {
-    let mut fields = vec![String::new()];
-    let mut within = false;
-    let mut chars = line.chars().peekable();
-    while let Some(c) = chars.next() {
-        let field = match fields.last_mut() {
-            Some(field) => field,
-            None => break,
-        };
-        match (c, within) {
-            ('"', true) if chars.peek() == Some(&'"') => {
-                chars.next();
-                field.push('"');
-            }
-            ('"', _) => within = !within,
-            (',', false) => fields.push(String::new()),
-            (other, _) => field.push(other),
-        }
-    }
-    if within {
-        return Err("a quote is not closed".to_owned());
-    }
-    Ok(fields)
 }
 
 #[cfg(test)]
@@ -331,7 +315,8 @@ mod tests {
             ("holds", "passes", header + 2, "no verdict"),
             ("5e-324", "five", header + 3, "not a number"),
             ("1-2,,\n", "1-2,,,\n", header + 4, "5 fields, not 6"),
-            ("\"a | b", "a | b", header + 3, "quote"),
+            ("\"a | b", "a | b", header + 3, "5 fields, not 6"),
+            ("c\"\"\"", "c\"\"", header + 3, "a quote is not closed"),
             (
                 "rapier-f64,overlap",
                 "exact,overlap",

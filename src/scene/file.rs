@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// A billiards scene for carom: balls on a table, what sets them in motion, and the effects that act on them.
 ///
 /// Numbers are in any consistent units; x runs across the table, y along it, z up.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "carom scene")]
 pub struct SceneFile {
@@ -111,8 +111,26 @@ pub struct UnitsFile {
     /// Kilograms per mass unit, greater than 0; required only by laws with SI constants.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass_in_kg: Option<f64>,
-    /// Name of the time unit; `time = "s"`.
-    pub time: Option<String>,
+    /// The time unit, which is the second; `time = "s"`.
+    pub time: Option<TimeUnit>,
+}
+
+/// What times are measured in. Laws with SI constants, tolerances and defaults are in seconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum TimeUnit {
+    /// Seconds.
+    #[default]
+    #[serde(rename = "s")]
+    Second,
+}
+
+impl TimeUnit {
+    /// The word used in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            TimeUnit::Second => "s",
+        }
+    }
 }
 
 /// Edges of the playing surface.

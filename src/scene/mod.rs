@@ -5,6 +5,7 @@
 //! holds the scenes that come with the program. No path is touched here.
 
 pub mod adversarial;
+mod builder;
 pub mod catalogue;
 mod check;
 mod diagnostics;
@@ -25,6 +26,7 @@ mod resolved;
 mod shot;
 mod spelled;
 
+pub use builder::SceneBuilder;
 pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest};
 pub use file::{SceneFile, schema};
 pub use names::is_kebab_case;

@@ -48,7 +48,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Proble
             length_in_metres: file.units.length_in_metres,
             mass: file.units.mass.unwrap_or_else(|| "mass unit".into()),
             mass_in_kg: file.units.mass_in_kg,
-            time: file.units.time.unwrap_or_else(|| "s".into()),
+            time: file.units.time.unwrap_or_default().id().to_owned(),
         },
         table,
         balls,

@@ -1,0 +1,164 @@
+//! A scene made by a program, so that it reads like physics: what a file would say, one call after another.
+
+use super::file::{BallFile, RackFile, SceneFile, TableFile};
+use super::{Scene, SceneError, Simultaneous, parse};
+use crate::math::angle::unit_vector;
+use crate::physics::{Cloth, Contact, Cushion, Effects, Friction};
+
+/// A scene in the making: an unbounded plane without gravity or effects, until it is told otherwise.
+///
+/// It is a scene file that no one has written: [`SceneBuilder::build`] holds it against the same rules, with the same words.
+///
+/// ```
+/// use carom::scene::Scene;
+/// let scene = Scene::builder("head-on", 2.0)
+///     .balls_of(0.028575, 0.17)
+///     .moving("cue", [0.0, 0.0], [1.0, 0.0])
+///     .resting("1", [0.5, 0.0])
+///     .elastic()
+///     .build()?;
+/// assert_eq!(scene.balls.len(), 2);
+/// # Ok::<(), carom::scene::SceneError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneBuilder(SceneFile);
+
+impl Scene {
+    /// Begins a scene. `name`: in kebab-case; `duration`: longest simulated time, s, > 0.
+    pub fn builder(name: &str, duration: f64) -> SceneBuilder {
+        SceneBuilder(SceneFile {
+            name: name.to_owned(),
+            duration,
+            ..SceneFile::default()
+        })
+    }
+}
+
+impl SceneBuilder {
+    /// Radius (length) and mass of every ball that does not say otherwise, those of a rack included.
+    pub fn balls_of(mut self, radius: f64, mass: f64) -> Self {
+        self.0.ball.radius = Some(radius);
+        self.0.ball.mass = Some(mass);
+        self
+    }
+
+    /// A ball at rest; centre, length.
+    pub fn resting(self, id: &str, position: [f64; 2]) -> Self {
+        self.moving(id, position, [0.0, 0.0])
+    }
+
+    /// A ball with a velocity, length/s.
+    pub fn moving(mut self, id: &str, position: [f64; 2], velocity: [f64; 2]) -> Self {
+        self.0.balls.push(BallFile {
+            id: id.to_owned(),
+            position,
+            velocity: Some(velocity),
+            spin: None,
+            radius: None,
+            mass: None,
+        });
+        self
+    }
+
+    /// A ball shot at `speed`, length/s, along `angle_deg`, degrees counter-clockwise from +x.
+    pub fn shot(self, id: &str, position: [f64; 2], speed: f64, angle_deg: f64) -> Self {
+        let (cos, sin) = unit_vector(angle_deg);
+        self.moving(id, position, [speed * cos, speed * sin])
+    }
+
+    /// Another radius, length, for the ball added last.
+    pub fn with_radius(self, radius: f64) -> Self {
+        self.last(|ball| ball.radius = Some(radius))
+    }
+
+    /// Another mass for the ball added last.
+    pub fn with_mass(self, mass: f64) -> Self {
+        self.last(|ball| ball.mass = Some(mass))
+    }
+
+    /// A spin, rad/s, for the ball added last.
+    pub fn with_spin(self, spin: [f64; 3]) -> Self {
+        self.last(|ball| ball.spin = Some(spin))
+    }
+
+    fn last(mut self, change: impl FnOnce(&mut BallFile)) -> Self {
+        if let Some(ball) = self.0.balls.last_mut() {
+            change(ball);
+        }
+        self
+    }
+
+    /// Resting balls "1", "2", ... in so many rows from the apex, after all others; neighbours `gap` apart, length.
+    pub fn rack(mut self, apex: [f64; 2], rows: u8, gap: f64) -> Self {
+        self.0.rack = Some(RackFile {
+            apex,
+            rows,
+            gap,
+            jitter: None,
+            seed: None,
+        });
+        self
+    }
+
+    /// Gravity, length/s^2.
+    pub fn gravity(mut self, gravity: f64) -> Self {
+        self.0.gravity = Some(gravity);
+        self
+    }
+
+    /// A table with its corner at the origin, and what its cushions do.
+    pub fn table(mut self, width: f64, length: f64, cushion: Cushion) -> Self {
+        self.0.table = Some(TableFile {
+            width,
+            length,
+            origin: [0.0, 0.0],
+        });
+        self.0.effects.cushion = Some(cushion);
+        self
+    }
+
+    /// What the cloth does.
+    pub fn cloth(self, cloth: Cloth) -> Self {
+        self.effects(|effects| effects.cloth = Some(cloth))
+    }
+
+    /// Balls that meet lose nothing.
+    pub fn elastic(self) -> Self {
+        self.contact(Contact::Elastic {})
+    }
+
+    /// What two balls do that meet.
+    pub fn contact(self, contact: Contact) -> Self {
+        self.effects(|effects| effects.contact = Some(contact))
+    }
+
+    /// How two balls that meet rub.
+    pub fn friction(self, friction: Friction) -> Self {
+        self.effects(|effects| effects.friction = Some(friction))
+    }
+
+    /// Any other effect.
+    pub fn effects(mut self, change: impl FnOnce(&mut Effects)) -> Self {
+        change(&mut self.0.effects);
+        self
+    }
+
+    /// What the exact engine does when an impact involves touching balls.
+    pub fn simultaneous(mut self, simultaneous: Simultaneous) -> Self {
+        self.0.simultaneous = simultaneous;
+        self
+    }
+
+    /// The run goes on to its duration after everything has come to rest.
+    pub fn to_duration(mut self) -> Self {
+        self.0.run_to_duration = true;
+        self
+    }
+
+    /// The scene. Errors: what is wrong with it, as in a file, with the text that says so.
+    pub fn build(&self) -> Result<Scene, SceneError> {
+        // a file can hold all that these types can; should that ever fail, the empty text is told to lack everything
+        let text = self.0.text().unwrap_or_default();
+        parse(&self.0.name, &text)
+    }
+}
