@@ -19,6 +19,7 @@ pub mod compare;
 pub mod engine;
 pub mod finding;
 pub mod gate;
+pub mod law;
 pub mod math;
 pub mod physics;
 pub mod report;

@@ -283,7 +283,7 @@ pub struct FuzzArguments {
     )]
     pub engines: String,
     /// Most events of a run of an event-driven engine.
-    #[arg(long, value_name = "N", default_value_t = super::fuzz::MAX_EVENTS)]
+    #[arg(long, value_name = "N", default_value_t = super::bounds::FUZZ_EVENTS)]
     pub max_events: u64,
     /// Print the scene with this index and run nothing.
     #[arg(long, value_name = "INDEX")]

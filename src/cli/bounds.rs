@@ -8,6 +8,9 @@ use crate::scene::Scene;
 /// States that a run records at a cadence, at most: some gigabytes in memory and on disk.
 const MOST_STATES: f64 = 2e7;
 
+/// Events after which a random scene of `fuzz` ends, unless told otherwise: what goes on for longer shows nothing new.
+pub const FUZZ_EVENTS: u64 = 1_000;
+
 /// Refuses `--FLAG VALUE` above `most`; `why`: what ends there.
 fn at_most(flag: &str, value: u64, most: u64, why: &str) -> Result<(), Failure> {
     if value <= most {

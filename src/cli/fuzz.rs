@@ -11,9 +11,6 @@ use std::process::ExitCode;
 /// Scenes unless told otherwise.
 const SCENES: u64 = 10_000;
 
-/// Events after which a random scene ends, unless told otherwise: what goes on for longer shows nothing new.
-pub const MAX_EVENTS: u64 = 1_000;
-
 /// Files of what shows a fault, by name.
 type Shown = Vec<(String, Vec<u8>)>;
 

@@ -90,10 +90,6 @@ fn table(rows: &[Row]) -> Option<String> {
 
 /// Reads a file of accepted findings; says what is wrong with it, and in which line.
 pub fn read(text: &str) -> Result<Accepted, Malformed> {
-    let wrong = |line: usize, why: String| Malformed {
-        line: line + 1,
-        why,
-    };
     let mut lines = text.lines().enumerate().peekable();
     match lines.next() {
         Some((_, TITLE)) => {}
@@ -101,40 +97,7 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
     }
     let mut accepted = Accepted::default();
     while let Some((line, text)) = lines.next_if(|(_, text)| text.starts_with('#')) {
-        let entry = text.trim_start_matches("# ").split_once(": ");
-        let Some((key, value)) = entry else {
-            return Err(wrong(line, "expected `# KEY: VALUE`".to_owned()));
-        };
-        let named = |list: &mut Vec<(String, String)>, name: &str| {
-            if list.iter().any(|(of, _)| of == name) {
-                return Err(wrong(line, format!("`{key}` is listed twice")));
-            }
-            list.push((name.to_owned(), value.to_owned()));
-            Ok(())
-        };
-        match (
-            key.strip_prefix("version of "),
-            key.strip_prefix("bits of "),
-        ) {
-            (Some(name), _) => named(&mut accepted.versions, name)?,
-            (None, Some(_)) if !is_digest(value) => {
-                let why = format!("`{value}` is no digest: expected {DIGITS} hexadecimal digits");
-                return Err(wrong(line, why));
-            }
-            (None, Some(engine)) => named(&mut accepted.bits, engine)?,
-            (None, None) => {
-                let entry = match key {
-                    "scene" => &mut accepted.scene,
-                    "hash" => &mut accepted.hash,
-                    "reason" => &mut accepted.reason,
-                    other => return Err(wrong(line, format!("unknown entry `{other}`"))),
-                };
-                if !entry.is_empty() {
-                    return Err(wrong(line, format!("`{key}` is listed twice")));
-                }
-                *entry = value.to_owned();
-            }
-        }
+        entry(text, &mut accepted).map_err(|why| wrong(line, why))?;
     }
     let (at, header) = lines.next().unwrap_or((0, ""));
     if header != HEADER.join(",") {
@@ -175,6 +138,49 @@ pub fn read(text: &str) -> Result<Accepted, Malformed> {
         ));
     }
     Ok(accepted)
+}
+
+fn wrong(line: usize, why: String) -> Malformed {
+    Malformed {
+        line: line + 1,
+        why,
+    }
+}
+
+/// Reads `# KEY: VALUE`. Errors: what is wrong with it.
+fn entry(text: &str, accepted: &mut Accepted) -> Result<(), String> {
+    let entry = text.trim_start_matches("# ").split_once(": ");
+    let (key, value) = entry.ok_or("expected `# KEY: VALUE`")?;
+    let named = |list: &mut Vec<(String, String)>, name: &str| {
+        if list.iter().any(|(of, _)| of == name) {
+            return Err(format!("`{key}` is listed twice"));
+        }
+        list.push((name.to_owned(), value.to_owned()));
+        Ok(())
+    };
+    match (
+        key.strip_prefix("version of "),
+        key.strip_prefix("bits of "),
+    ) {
+        (Some(name), _) => named(&mut accepted.versions, name),
+        (None, Some(_)) if !is_digest(value) => Err(format!(
+            "`{value}` is no digest: expected {DIGITS} hexadecimal digits"
+        )),
+        (None, Some(engine)) => named(&mut accepted.bits, engine),
+        (None, None) => {
+            let entry = match key {
+                "scene" => &mut accepted.scene,
+                "hash" => &mut accepted.hash,
+                "reason" => &mut accepted.reason,
+                other => return Err(format!("unknown entry `{other}`")),
+            };
+            if !entry.is_empty() {
+                return Err(format!("`{key}` is listed twice"));
+            }
+            *entry = value.to_owned();
+            Ok(())
+        }
+    }
 }
 
 fn row(record: &csv::StringRecord) -> Result<Row, String> {

@@ -4,7 +4,6 @@
 pub mod angle;
 pub mod double_double;
 pub mod dual;
-pub mod exponential;
 pub mod extrapolation;
 pub mod first_root;
 pub mod grid;

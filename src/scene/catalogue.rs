@@ -42,6 +42,7 @@ macro_rules! entries {
 /// Every scene, in the order in which reports list them: the report's shot, single laws, several balls, known answers,
 /// then the shots that call for rotation, one at a time, what the gate needs to go through every branch and key, the effect ladder and
 /// real breaks; last the hard cases by what they provoke: simultaneous contacts, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
+// long: the list of scenes, one a line
 pub fn all() -> &'static [Entry] {
     entries![
         "report-break",

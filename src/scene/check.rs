@@ -7,7 +7,8 @@ use super::diagnostics::{Diagnostic, Kind, nearest};
 use super::format::{
     ANY_SIZE, advice, is_described, keys, kind_of, list, target, variants, wanted, words,
 };
-use super::located::{Located, Shift, header, join, last};
+use super::located::{Located, header, join, last};
+use super::pieces::Shift;
 use super::printable::printable;
 use super::problems::Problems;
 use serde_json::Value;

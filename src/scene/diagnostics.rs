@@ -4,7 +4,6 @@
 //! room knows text and positions only, no scene.
 
 use super::printable::{is_hidden, printable};
-use super::problems::Problems;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::borrow::Cow;
 use std::fmt;
@@ -134,16 +133,8 @@ pub struct Diagnostics {
 const SHOWN: usize = 20;
 
 impl Diagnostics {
-    /// These problems of `file`, the first by position.
-    pub fn of(file: &str, text: &str, found: impl IntoIterator<Item = Diagnostic>) -> Self {
-        let mut problems = Problems::new();
-        problems.extend(found);
-        Diagnostics::new(file, text, problems)
-    }
-
-    /// The errors of `file`.
-    pub(super) fn new(file: &str, text: &str, problems: Problems) -> Self {
-        let (problems, more) = problems.into_first();
+    /// The errors of `file`: the first by position, and the number of the rest.
+    pub(super) fn new(file: &str, text: &str, (problems, more): (Vec<Diagnostic>, usize)) -> Self {
         let starts = text.match_indices('\n').map(|(newline, _)| newline + 1);
         Diagnostics {
             file: file.to_owned(),

@@ -1,40 +1,10 @@
 //! The parsed text with the position of every key and value, looked up by path: `balls[2].position[0]`.
 
-use super::pieces::Piece;
+use super::pieces::{Chunk, Piece, Shift};
 use std::cell::RefCell;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// Where a part of a text stands in the whole: what is at `from` or later stands `by` later.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Shift {
-    pub from: usize,
-    pub by: usize,
-}
-
-impl Shift {
-    /// Of a part that begins at `start`.
-    pub fn to(start: usize) -> Self {
-        Shift { from: 0, by: start }
-    }
-
-    /// The place in the whole of a place in the part.
-    pub fn place(self, span: Range<usize>) -> Range<usize> {
-        let place = |at: usize| if at >= self.from { at + self.by } else { at };
-        let start = place(span.start);
-        start..start + span.len()
-    }
-}
-
-/// A piece of a text that lists balls.
-#[derive(Clone, Debug)]
-pub(super) struct Chunk {
-    /// Where it stands.
-    pub text: Range<usize>,
-    /// Index of its first ball.
-    pub first: usize,
-}
 
 /// A parsed scene file that still knows where everything stands.
 pub(super) struct Located<'t> {

@@ -18,6 +18,7 @@ mod located;
 mod names;
 pub mod perturb;
 mod pieces;
+mod placed;
 mod printable;
 mod problems;
 mod rack;
@@ -34,8 +35,8 @@ pub use printable::{is_hidden, printable};
 pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
 pub use spelled::{Spelled, spelled};
 
-use located::{Located, Shift};
-use pieces::Pieces;
+use located::Located;
+use pieces::{Pieces, Shift};
 use problems::Problems;
 use std::sync::LazyLock;
 use toml::de::{DeTable, Error};
@@ -50,7 +51,7 @@ static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
 pub fn parse(file_name: &str, text: &str) -> Result<Scene, SceneError> {
     // editors on some systems begin a file with a byte order mark, which is no part of its first line
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let invalid = |problems| SceneError::Invalid(Diagnostics::new(file_name, text, problems));
+    let invalid = |problems: Problems| SceneError::Invalid(problems.of_file(file_name, text));
     let pieces = Pieces::of(text);
     let (file, located) = read(text, pieces.as_ref()).map_err(invalid)?;
     resolve::resolve(file, &located).map_err(invalid)
@@ -147,7 +148,7 @@ pub fn parse_bytes(file_name: &str, bytes: &[u8]) -> Result<Scene, SceneError> {
             );
             let mut problems = Problems::new();
             problems.push(problem);
-            let diagnostics = Diagnostics::new(file_name, &text, problems);
+            let diagnostics = problems.of_file(file_name, &text);
             Err(SceneError::Invalid(diagnostics))
         }
     }

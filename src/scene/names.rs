@@ -3,8 +3,8 @@
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::placed::{Placed, repetitions};
 use super::problems::Problems;
-use super::resolve::{Placed, repetitions};
 use crate::physics::Side;
 use std::ops::Range;
 

@@ -5,7 +5,6 @@
 //! them no ball; where it is otherwise, such as where such a line stands inside a text, the file is read as a whole.
 
 use super::file::BallFile;
-use super::located::{Chunk, Shift};
 use serde::Deserialize;
 use std::ops::Range;
 use toml::Spanned;
@@ -19,6 +18,36 @@ const PIECE: usize = 1 << 16;
 
 /// How the line that begins a ball begins.
 const BALL: &str = "[[balls]]";
+
+/// Where a part of a text stands in the whole: what is at `from` or later stands `by` later.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shift {
+    pub from: usize,
+    pub by: usize,
+}
+
+impl Shift {
+    /// Of a part that begins at `start`.
+    pub fn to(start: usize) -> Self {
+        Shift { from: 0, by: start }
+    }
+
+    /// The place in the whole of a place in the part.
+    pub fn place(self, span: Range<usize>) -> Range<usize> {
+        let place = |at: usize| if at >= self.from { at + self.by } else { at };
+        let start = place(span.start);
+        start..start + span.len()
+    }
+}
+
+/// A piece of a text that lists balls.
+#[derive(Clone, Debug)]
+pub(super) struct Chunk {
+    /// Where it stands.
+    pub text: Range<usize>,
+    /// Index of its first ball.
+    pub first: usize,
+}
 
 /// A text cut where its list of balls begins and ends.
 #[derive(Debug)]

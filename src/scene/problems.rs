@@ -2,7 +2,7 @@
 //!
 //! A file can have as many errors as it has lines, and nobody reads them all.
 
-use super::diagnostics::Diagnostic;
+use super::diagnostics::{Diagnostic, Diagnostics};
 use std::ops::Range;
 
 /// Errors of one file that are kept with their words.
@@ -82,11 +82,25 @@ impl Problems {
         }
     }
 
+    /// What is wrong with `file`.
+    pub fn of_file(self, file: &str, text: &str) -> Diagnostics {
+        Diagnostics::new(file, text, self.into_first())
+    }
+
     /// The first by position, at most [`KEPT`], those at one place in the order in which they were found; and the number of the rest.
     pub fn into_first(mut self) -> (Vec<Diagnostic>, usize) {
         self.pare();
         let rest = self.found - self.kept.len();
         (self.kept, rest)
+    }
+}
+
+impl Diagnostics {
+    /// These problems of `file`, the first by position.
+    pub fn of(file: &str, text: &str, found: impl IntoIterator<Item = Diagnostic>) -> Self {
+        let mut problems = Problems::new();
+        problems.extend(found);
+        problems.of_file(file, text)
     }
 }
 

@@ -6,18 +6,11 @@ use super::check::missing;
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
 use super::located::Located;
+use super::placed::Placed;
 use super::problems::Problems;
 use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot};
 use crate::math::Vec3;
 use crate::physics::State;
-use std::collections::HashMap;
-
-/// A ball and the place in the file that it comes from.
-pub(super) struct Placed {
-    pub ball: Ball,
-    /// Path of what gives its position: `balls[0].position` or `rack`.
-    pub path: String,
-}
 
 /// The scene that `file` describes, or everything that is wrong with it.
 pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Problems> {
@@ -142,17 +135,4 @@ fn listed_balls(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> 
         }
     }
     placed
-}
-
-/// For each word that occurs more than once: the index of its first occurrence and that of each repetition.
-pub(super) fn repetitions<'a>(words: impl Iterator<Item = &'a str>) -> Vec<(usize, usize)> {
-    let mut first: HashMap<&str, usize> = HashMap::new();
-    let mut repeated = Vec::new();
-    for (i, word) in words.enumerate() {
-        let earliest = *first.entry(word).or_insert(i);
-        if earliest != i {
-            repeated.push((earliest, i));
-        }
-    }
-    repeated
 }

@@ -4,11 +4,11 @@ use super::check::LARGEST;
 use super::diagnostics::{Diagnostic, Kind, nearest, short};
 use super::file::{SceneFile, ShotFile};
 use super::located::Located;
+use super::placed::Placed;
 use super::problems::Problems;
-use super::resolve::Placed;
-use super::{Shot, plan_vector};
-use crate::physics::Motion;
+use super::{Ball, Shot, plan_vector};
 use crate::physics::cue::{Strike, speed_from_force};
+use crate::physics::{Motion, State};
 
 /// Longest list of balls that an error prints.
 const LISTED: usize = 16;
@@ -40,9 +40,17 @@ pub(super) fn play(
     if problems.found() > found {
         return None;
     }
-    let (mass, radius) = (placed[ball].ball.mass, placed[ball].ball.radius);
-    let state = &mut placed[ball].ball.state;
-    let shot = match *shot {
+    let shot = set_in_motion(shot, ball, &mut placed[ball].ball);
+    let state = &placed[ball].ball.state;
+    too_fast(shot, path, state, at, problems);
+    Some(shot)
+}
+
+/// Gives the ball of the shot, with index `ball` in the scene, its motion.
+fn set_in_motion(shot: &ShotFile, ball: usize, body: &mut Ball) -> Shot {
+    let (mass, radius) = (body.mass, body.radius);
+    let state = &mut body.state;
+    match *shot {
         ShotFile::Force {
             angle_deg,
             force,
@@ -90,7 +98,11 @@ pub(super) fn play(
             (state.velocity, state.spin) = (velocity, spin);
             Shot::Strike { ball, strike }
         }
-    };
+    }
+}
+
+/// A motion beyond what numbers of a scene may be.
+fn too_fast(shot: Shot, path: &str, state: &State, at: &Located<'_>, problems: &mut Problems) {
     let (speed, spin) = (state.speed(), state.spin.norm());
     for (what, size) in [("speed", speed), ("spin", spin)] {
         if size > LARGEST {
@@ -112,7 +124,6 @@ pub(super) fn play(
             ));
         }
     }
-    Some(shot)
 }
 
 /// A ball has one motion: its own or the shot's.

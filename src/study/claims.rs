@@ -251,6 +251,7 @@ impl Lab<'_> {
         }
     }
 
+    // long: one claim, whose ten figures are read beside the runs that they are measured on
     fn plain_overlap_sticks(&self, tight: &Scene, mirrored: &Scene) -> Claim {
         let setting = |dt: f64| Setting::default().with("dt", dt);
         let written = self.run(tight, "stepper", setting(1e-3));

@@ -2,6 +2,7 @@
 
 use super::encoding::{Pairs, unpacked};
 use super::form::{Engines, Form, changed, columns};
+use super::misplaced::of_scene;
 use super::problem::Problem;
 use super::wire::Request;
 use crate::scene::{Scene, catalogue, parse};
@@ -118,7 +119,7 @@ impl Asked {
         let Ok(table) = toml::from_str::<Table>(base) else {
             // what is no TOML has no keys that a field could be put into
             let problems = match parse(FILE, base) {
-                Err(error) => Problem::of_scene(&error, &Form::of(&Table::new())),
+                Err(error) => of_scene(&error, &Form::of(&Table::new())),
                 Ok(_) => vec![Problem::new("the scene cannot be read")],
             };
             let problems = problems.into_iter().map(|problem| Problem {
@@ -144,7 +145,7 @@ impl Asked {
                 Some(scene)
             }
             Err(error) => {
-                let found = Problem::of_scene(&error, &form);
+                let found = of_scene(&error, &form);
                 // a field that is empty is missing in the scene as well
                 let known = |problem: &Problem| {
                     let field = problem.field.as_ref();

@@ -19,6 +19,7 @@ mod asked;
 mod encoding;
 pub mod form;
 mod guard;
+mod misplaced;
 mod page;
 mod problem;
 mod shot;

@@ -1,7 +1,6 @@
 //! What is wrong with a request, at the field that caused it.
 
-use super::form::Form;
-use crate::scene::{Diagnostics, Kind, SceneError, path_at, printable};
+use crate::scene::printable;
 use serde::Serialize;
 use serde_json::json;
 
@@ -38,33 +37,6 @@ impl Problem {
             ..Problem::default()
         }
     }
-
-    /// Everything wrong with a scene, each at the field of `form` that holds it.
-    pub fn of_scene(error: &SceneError, form: &Form) -> Vec<Self> {
-        match error {
-            SceneError::Invalid(diagnostics) => of_diagnostics(diagnostics, form),
-            other => vec![Problem::at("scene", other.to_string(), "")],
-        }
-    }
-}
-
-fn of_diagnostics(diagnostics: &Diagnostics, form: &Form) -> Vec<Problem> {
-    let problems = diagnostics.problems.iter().map(|problem| {
-        let (line, column) = diagnostics.position(problem.span.start);
-        let located = || path_at(&diagnostics.text, problem.span.start);
-        let path = match problem.kind {
-            Kind::Syntax | Kind::Encoding => String::new(),
-            _ => problem.wanted.clone().unwrap_or_else(located),
-        };
-        Problem {
-            field: form.name_of(&path),
-            line: Some(line),
-            column: Some(column),
-            message: printable(&problem.message),
-            help: printable(&problem.help),
-        }
-    });
-    problems.collect()
 }
 
 /// The body of an answer that says what is wrong.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A module may import from itself and from modules listed before it.
-const ORDER: [&str; 14] = [
-    "carried", "math", "physics", "scene", "trace", "engine", "finding", "compare", "study",
+const ORDER: [&str; 15] = [
+    "carried", "math", "physics", "scene", "trace", "engine", "finding", "compare", "law", "study",
     "gate", "report", "web", "cli", "main",
 ];
 

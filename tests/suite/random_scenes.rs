@@ -1,6 +1,6 @@
 //! Ten thousand random scenes that look for trouble, in the engines that promise to hold in all of them.
 //!
-//! `carom fuzz` runs as many as one likes; what it checks is described in `study::random::verdict`. The seed here is not one that
+//! `carom fuzz` runs as many as one likes; what it checks is described in `law`. The seed here is not one that
 //! the engines were mended with.
 
 use carom::physics::EFFECTS;

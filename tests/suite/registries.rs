@@ -1,8 +1,8 @@
 //! The lists from which everything else derives: unique names, units, and no entry that nothing uses.
 
 use carom::compare::METRICS;
-use carom::engine::{ENGINES, Refusal, Role, Setting, find, prepare};
-use carom::physics::{Cloth, Contact, Cushion, EFFECTS, Effects, Friction, Pockets};
+use carom::engine::{ENGINES, Role, Setting, find, prepare};
+use carom::physics::EFFECTS;
 use carom::scene::{catalogue, is_kebab_case};
 use carom::study::stability::presets;
 use std::collections::BTreeSet;
@@ -100,92 +100,5 @@ fn every_ladder_and_remedy_is_a_setting_that_its_engine_accepts() {
         }
         assert!(find(engine.id()).is_some());
         assert!(!engine.about().method.is_empty() && !engine.about().shares.is_empty());
-    }
-}
-
-#[test]
-fn every_engine_names_every_effect_that_it_does_not_simulate() {
-    let mut named = 0;
-    for effect in EFFECTS {
-        let mut scene = catalogue::scene("slide").unwrap();
-        scene.effects = effects_with(effect.id);
-        assert!(scene.effects.named().contains(&effect.id), "{}", effect.id);
-        for engine in ENGINES {
-            let missing = engine.missing(&scene);
-            let listed = scene.effects.named();
-            assert!(
-                missing.iter().all(|id| listed.contains(id)),
-                "{} misses {missing:?} of {listed:?}",
-                engine.id()
-            );
-            let refused = prepare(*engine, &scene, &Setting::default()).err();
-            match refused {
-                None => assert!(missing.is_empty(), "{}", engine.id()),
-                Some(refusal) => assert_eq!(
-                    refusal,
-                    Refusal::NotComparable { missing },
-                    "{} on {}",
-                    engine.id(),
-                    effect.id
-                ),
-            }
-            named += 1;
-        }
-    }
-    assert_eq!(named, EFFECTS.len() * ENGINES.len());
-}
-
-/// The effect called `id`, with a contact where it is friction.
-fn effects_with(id: &str) -> Effects {
-    let (e, mu, height) = (0.9, 0.1, 1.28);
-    let friction = |law| Effects {
-        contact: Some(Contact::Elastic {}),
-        friction: Some(law),
-        ..Effects::default()
-    };
-    let cushion = |law| Effects {
-        cushion: Some(law),
-        ..Effects::default()
-    };
-    let contact = |law| Effects {
-        contact: Some(law),
-        ..Effects::default()
-    };
-    let cloth = |law| Effects {
-        cloth: Some(law),
-        ..Effects::default()
-    };
-    match id {
-        "cloth.translational" => cloth(Cloth::Translational { mu }),
-        "cloth.rotational" => cloth(Cloth::Rotational {
-            mu_slide: 0.2,
-            mu_roll: 0.01,
-            mu_spin: 0.01,
-        }),
-        "contact.elastic" => contact(Contact::Elastic {}),
-        "contact.inelastic" => contact(Contact::Inelastic { e }),
-        "friction.constant" => friction(Friction::Constant { mu }),
-        "friction.alciatore" => friction(Friction::Alciatore {
-            a: 0.01,
-            b: 0.1,
-            c: 1.0,
-            length_in_metres: 1.0,
-        }),
-        "cushion.elastic" => cushion(Cushion::Elastic {}),
-        "cushion.restitution" => cushion(Cushion::Restitution { e }),
-        "cushion.han-2005" => cushion(Cushion::Han2005 { e, mu, height }),
-        "cushion.mathavan-2010" => cushion(Cushion::Mathavan2010 {
-            e,
-            mu,
-            mu_cloth: 0.2,
-            height,
-        }),
-        "pockets" => Effects {
-            pockets: Some(Pockets {
-                circles: vec![[0.0, 0.0, 0.1]],
-            }),
-            ..Effects::default()
-        },
-        other => panic!("{other} has no scene in this test"),
     }
 }

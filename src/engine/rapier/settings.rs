@@ -119,6 +119,9 @@ impl Default for Settings {
     }
 }
 
+/// Above 0 in f32 as well, where a smaller number is 0; the upper ends keep every product finite there.
+const LEAST: f64 = f32::MIN_POSITIVE as f64;
+
 impl Settings {
     /// The defaults of a preset.
     pub fn of(preset: Preset) -> Self {
@@ -209,9 +212,24 @@ impl Settings {
                 )));
             }
         }
-        // above 0 in f32 as well, where a smaller number is 0; the upper ends keep every product finite there
-        const LEAST: f64 = f32::MIN_POSITIVE as f64;
-        let numbers = [
+        for (key, value, least, most) in self.numbers() {
+            if !(least..=most).contains(&value) {
+                let least = if least == LEAST {
+                    "more than 0".to_owned()
+                } else {
+                    format!("{least} or more")
+                };
+                return Err(refuse(format!(
+                    "`{key}={value}`: expected a number, {least} and at most {most:e}"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// Each number by its key, with the least and the greatest that it may be.
+    fn numbers(&self) -> [(&'static str, f64, f64, f64); 13] {
+        [
             ("dt", self.dt, LEAST, 1e9),
             ("prediction_distance", self.prediction_distance, LEAST, 1e6),
             ("length_unit", self.length_unit, 1e-6, 1e6),
@@ -265,19 +283,6 @@ impl Settings {
                 0.0,
                 1.0,
             ),
-        ];
-        for (key, value, least, most) in numbers {
-            if !(least..=most).contains(&value) {
-                let least = if least == LEAST {
-                    "more than 0".to_owned()
-                } else {
-                    format!("{least} or more")
-                };
-                return Err(refuse(format!(
-                    "`{key}={value}`: expected a number, {least} and at most {most:e}"
-                )));
-            }
-        }
-        Ok(())
+        ]
     }
 }

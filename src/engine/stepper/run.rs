@@ -10,7 +10,7 @@ use super::{Settings, sheet};
 use crate::engine::setting::parameters;
 use crate::engine::{Inside, Limits, Parameter, Run};
 use crate::physics::cloth::rotational::Coefficients;
-use crate::physics::{Cloth, Contact, Cushion, Motion, State, cushion, pockets};
+use crate::physics::{Cloth, Contact, Cushion, Effects, Motion, State, cushion, pockets};
 use crate::scene::Scene;
 use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
 
@@ -23,6 +23,8 @@ pub struct Stepping<'a> {
     pub settings: Settings,
     /// The balls before the first step.
     pub balls: Balls,
+    /// The laws that the loop applies: what it knows of them it has from here.
+    pub laws: Effects,
     provenance: Provenance,
 }
 
@@ -32,6 +34,7 @@ impl<'a> Stepping<'a> {
             scene,
             settings,
             balls: Balls::new(scene, &settings),
+            laws: scene.effects.clone(),
             provenance: Provenance {
                 engine: "stepper".to_owned(),
                 version,
@@ -47,7 +50,7 @@ impl<'a> Stepping<'a> {
 
 impl Run for Stepping<'_> {
     fn inside(&self) -> Inside {
-        sheet::inside(self)
+        sheet::inside(self.scene, &self.settings, &self.balls, &self.laws)
     }
 
     fn sheet(&self) -> Vec<Parameter> {
@@ -58,7 +61,7 @@ impl Run for Stepping<'_> {
         let provenance = std::mem::take(&mut self.provenance);
         let recorder = Recorder::new(self.scene, provenance, record, &self.balls.states());
         let (gravity, dt) = (self.scene.gravity, self.settings.dt);
-        match self.scene.effects.cloth {
+        match self.laws.cloth {
             None => Loop::new(&self, NoCloth, recorder).run(limits),
             Some(Cloth::Translational { mu }) => {
                 Loop::new(&self, Translational::new(mu, gravity, dt), recorder).run(limits)
@@ -86,6 +89,7 @@ const PATIENCE: usize = 1 << 16;
 struct Loop<'a, C> {
     scene: &'a Scene,
     settings: Settings,
+    laws: &'a Effects,
     cloth: C,
     balls: Balls,
     sizes: Sizes,
@@ -122,7 +126,7 @@ struct Ended {
 }
 
 impl<'a, C: ClothStep> Loop<'a, C> {
-    fn new(run: &Stepping<'a>, cloth: C, recorder: Recorder) -> Self {
+    fn new(run: &'a Stepping<'_>, cloth: C, recorder: Recorder) -> Self {
         let scene = run.scene;
         let balls = run.balls.clone();
         let n = balls.len();
@@ -130,12 +134,13 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         Loop {
             scene,
             settings: run.settings,
+            laws: &run.laws,
             cloth,
             pairs: Pairs::new(run.settings.partners, &sizes, n),
             sizes,
             walls: Walls::new(scene, &balls.radius),
             balls,
-            pockets: scene.effects.pockets.as_ref().map_or(&[], |p| &p.circles),
+            pockets: run.laws.pockets.as_ref().map_or(&[], |p| &p.circles),
             recorder,
             overlapping: Vec::with_capacity(4 * n),
             overlaps: Overlaps::new(4 * n),
@@ -227,7 +232,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// 1. and 2.: the ball that was shot against every other, then each pair of the others.
     fn contacts(&mut self, step: u64) {
-        let Some(contact) = self.scene.effects.contact else {
+        let Some(contact) = self.laws.contact else {
             return;
         };
         let (x, y) = (&self.balls.x, &self.balls.y);
@@ -243,7 +248,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     fn exchange_all(&mut self, step: u64, contact: Contact) {
         let laws = Laws {
             contact,
-            friction: self.scene.effects.friction,
+            friction: self.laws.friction,
         };
         let time = step as f64 * self.settings.dt;
         self.exchanged.clear();
@@ -392,7 +397,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[cold]
     #[inline(never)]
     fn meet_walls(&mut self, step: u64) {
-        let Some(law) = self.scene.effects.cushion else {
+        let Some(law) = self.laws.cushion else {
             return;
         };
         for wall in 0..self.walls.count() {
@@ -512,7 +517,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[cold]
     #[inline(never)]
     fn pocket(&mut self, time: f64) {
-        let Some(pockets) = &self.scene.effects.pockets else {
+        let Some(pockets) = &self.laws.pockets else {
             return;
         };
         self.leaving.clear();

@@ -1,16 +1,16 @@
 //! What the stepper says of itself before it runs: what it holds, for the audit, and every parameter that changes physics.
 
-use super::run::Stepping;
+use super::balls::Balls;
 use super::{ContactRule, Launch, Settings};
 use crate::engine::{Inside, PairMaterial, Parameter, Partner as Meets, Role};
-use crate::physics::{Cloth, Contact, Cushion, Friction, friction};
+use crate::physics::{Cloth, Contact, Cushion, Effects, Friction, friction};
 use crate::scene::{Scene, Shot};
 
-/// What is inside a run, read back from its arrays and laws.
-pub fn inside(run: &Stepping<'_>) -> Inside {
-    let held = &run.balls;
+/// What is inside a run, read back from its arrays and from the laws that its loop applies. `scene`: for what a run has no use for, the ids
+/// of the balls and their heights.
+pub fn inside(scene: &Scene, settings: &Settings, held: &Balls, laws: &Effects) -> Inside {
     let energy = (0..held.len()).map(|i| held.energy(i)).sum();
-    let mut balls = run.scene.balls.clone();
+    let mut balls = scene.balls.clone();
     let mut inertia = vec![None; balls.len()];
     for (i, &ball) in held.scene_index.iter().enumerate() {
         balls[ball].state = held.state(i);
@@ -18,7 +18,7 @@ pub fn inside(run: &Stepping<'_>) -> Inside {
         balls[ball].radius = held.radius[i];
         inertia[ball] = held.rotation.get(i).map(|rotation| rotation.inertia);
     }
-    let met = met(run.scene);
+    let met = met(laws);
     let materials = (0..balls.len()).flat_map(|ball| {
         met.iter()
             .map(move |&(partner, friction, restitution)| PairMaterial {
@@ -34,17 +34,16 @@ pub fn inside(run: &Stepping<'_>) -> Inside {
         balls,
         energy,
         ulp: f64::EPSILON,
-        contact_time: match run.settings.launch {
+        contact_time: match settings.launch {
             Launch::ContactTime => None,
-            Launch::AsWritten => Some(run.settings.dt),
+            Launch::AsWritten => Some(settings.dt),
         },
     }
 }
 
 /// Friction and restitution of a ball with everything it can meet. Friction that depends on the slip speed: that of balls
 /// that stick.
-fn met(scene: &Scene) -> Vec<(Meets, f64, f64)> {
-    let effects = &scene.effects;
+fn met(effects: &Effects) -> Vec<(Meets, f64, f64)> {
     let mut met = Vec::new();
     if let Some(contact) = effects.contact {
         let restitution = match contact {
@@ -232,4 +231,85 @@ fn cushions(scene: &Scene, sheet: &mut Vec<Parameter>) {
         "",
     ));
     sheet.push(Parameter::new(Role::CushionFriction, kind, friction, ""));
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use crate::engine::audit::differences;
+    use crate::engine::stepper::Settings;
+    use crate::engine::stepper::run::Stepping;
+    use crate::engine::{Limits, Run};
+    use crate::physics::{Cloth, Contact, Cushion, Effects, Friction};
+    use crate::scene::parse;
+    use crate::trace::Record;
+
+    const SCENE: &str = r#"
+name = "every-material"
+duration = 1.0
+gravity = 9.81
+table = { width = 3.0, length = 2.0 }
+ball = { radius = 0.2, mass = 0.1 }
+balls = [
+    { id = "cue", position = [1.0, 1.0], velocity = [3.0, 0.4] },
+    { id = "1", position = [1.8, 1.0] },
+]
+[effects.cloth.rotational]
+mu_slide = 0.2
+mu_roll = 0.01
+mu_spin = 0.02
+[effects.contact.inelastic]
+e = 0.9
+[effects.friction.constant]
+mu = 0.05
+[effects.cushion.restitution]
+e = 0.8
+"#;
+
+    #[test]
+    fn a_law_that_is_another_inside_is_told_and_is_the_one_that_acts() {
+        type Plant = fn(&mut Effects);
+        let plants: [(&str, Plant); 7] = [
+            ("friction of ball cue with a Cloth", |laws| {
+                laws.cloth = Some(Cloth::Rotational {
+                    mu_slide: 0.3,
+                    mu_roll: 0.01,
+                    mu_spin: 0.02,
+                });
+            }),
+            ("no material of ball cue with a Cloth", |laws| {
+                laws.cloth = None;
+            }),
+            ("restitution of ball cue with a Ball", |laws| {
+                laws.contact = Some(Contact::Inelastic { e: 0.8 });
+            }),
+            ("restitution of ball cue with a Ball", |laws| {
+                laws.contact = Some(Contact::Elastic {});
+            }),
+            ("friction of ball cue with a Ball", |laws| {
+                laws.friction = Some(Friction::Constant { mu: 0.1 });
+            }),
+            ("friction of ball cue with a Ball", |laws| {
+                laws.friction = None;
+            }),
+            ("restitution of ball cue with a Cushion", |laws| {
+                laws.cushion = Some(Cushion::Elastic {});
+            }),
+        ];
+        let scene = parse("every-material.toml", SCENE).unwrap();
+        let fresh = || Stepping::new(&scene, Settings::default(), String::new());
+        let simulate = |run: Stepping<'_>| Box::new(run).simulate(Record::Final, &Limits::NONE);
+        assert_eq!(differences(&scene, &fresh().inside()), [""; 0]);
+        let right = simulate(fresh()).final_states();
+        for (told, plant) in plants {
+            let mut run = fresh();
+            plant(&mut run.laws);
+            let found = differences(&scene, &run.inside());
+            assert!(
+                found.iter().any(|words| words.starts_with(told)),
+                "{found:?}"
+            );
+            assert_ne!(simulate(run).final_states(), right, "{told}");
+        }
+    }
 }

@@ -18,7 +18,7 @@ mod ticks;
 mod tiles;
 mod words;
 
-use crate::finding::{Figure, Style};
+use crate::finding::{Figure, Series, Style};
 use crate::scene::is_hidden;
 use scale::{Extent, Scale, on_axis};
 use words::text_width;
@@ -220,40 +220,48 @@ struct Plane {
     downwards: bool,
 }
 
+/// From where to where the points, outline and marks of a figure go, across and up.
+fn drawn(figure: &Figure) -> (Extent, Extent) {
+    let (log_x, log_y) = logarithmic(figure);
+    let (mut x, mut y) = (Extent::NONE, Extent::NONE);
+    for series in &figure.series {
+        let reach = match series.style {
+            Style::Discs(radius) if radius.is_finite() => radius.abs(),
+            _ => 0.0,
+        };
+        for &[px, py] in &series.points {
+            if let (Some(px), Some(py)) = (on_axis(px, log_x), on_axis(py, log_y)) {
+                for side in [-reach, reach] {
+                    x.add(if log_x { px } else { px + side });
+                    y.add(if log_y { py } else { py + side });
+                }
+            }
+        }
+    }
+    for [px, py] in figure.outline.into_iter().flatten() {
+        x.add(on_axis(px, log_x).unwrap_or(f64::NAN));
+        y.add(on_axis(py, log_y).unwrap_or(f64::NAN));
+    }
+    for mark in &figure.marks {
+        if let Some(at) = on_axis(mark.at, log_x)
+            && !x.is_empty()
+            && figure.outline.is_none()
+        {
+            x.add(at);
+        }
+    }
+    (x, y)
+}
+
 impl Plane {
     /// The ranges that a figure needs, not yet on any paper.
     fn of(figure: &Figure) -> Plane {
         let (log_x, log_y) = logarithmic(figure);
-        let (mut x, mut y) = (Extent::NONE, Extent::NONE);
-        let mut dots = false;
-        for series in &figure.series {
-            let reach = match series.style {
-                Style::Discs(radius) if radius.is_finite() => radius.abs(),
-                _ => 0.0,
-            };
-            dots |= !matches!(series.style, Style::Line | Style::Guide | Style::Band);
-            for &[px, py] in &series.points {
-                if let (Some(px), Some(py)) = (on_axis(px, log_x), on_axis(py, log_y)) {
-                    for side in [-reach, reach] {
-                        x.add(if log_x { px } else { px + side });
-                        y.add(if log_y { py } else { py + side });
-                    }
-                }
-            }
-        }
+        let (mut x, mut y) = drawn(figure);
         let outlined = figure.outline.is_some();
-        for [px, py] in figure.outline.into_iter().flatten() {
-            x.add(on_axis(px, log_x).unwrap_or(f64::NAN));
-            y.add(on_axis(py, log_y).unwrap_or(f64::NAN));
-        }
-        for mark in &figure.marks {
-            if let Some(at) = on_axis(mark.at, log_x)
-                && !x.is_empty()
-                && !outlined
-            {
-                x.add(at);
-            }
-        }
+        let line =
+            |series: &Series| matches!(series.style, Style::Line | Style::Guide | Style::Band);
+        let dots = !figure.series.iter().all(line);
         // an axis that starts near zero starts at zero, and ends a little above its largest value
         let from_zero = |extent: &mut Extent, log: bool, near: f64| {
             if !figure.equal_scale && !log && extent.lo > 0.0 && extent.lo < near * extent.hi {

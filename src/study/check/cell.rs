@@ -1,10 +1,11 @@
 //! One scene in one column: its findings on every level but the ensembles'.
 
-use super::held::{ENDING, PARTING, REFUSED, VERDICT, WORK};
+use super::item::{ENDING, PARTING, REFUSED, VERDICT, WORK};
 use super::promises::{self, Broken};
-use super::{bits, unit_of};
+use super::unit_of;
 use crate::compare::{self, Comparison, Parting};
 use crate::finding::{Finding, Verdict};
+use crate::law::rerun::digest;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::describe_kind;
@@ -33,12 +34,6 @@ pub struct Found {
     pub bits: Option<String>,
     /// Rounding of the engine's scalar.
     pub ulp: f64,
-}
-
-/// How long a cell takes, ns, roughly; 0 where the setting is refused.
-pub fn cost(scene: &Scene, column: &Column) -> f64 {
-    let pace = column.engine.pace(scene, &column.setting);
-    pace.map_or(0.0, |pace| pace.cost * scene.duration)
 }
 
 /// Runs a cell and says what it finds.
@@ -71,7 +66,7 @@ pub fn run(scene: &Scene, column: &Column, oracle: Option<&Oracle>, runner: Runn
         findings,
         broken,
         refused: None,
-        bits: Some(bits::of(trace)),
+        bits: Some(digest(trace)),
         ulp: examined.judged.ulp,
     }
 }

@@ -1,7 +1,7 @@
 //! Scenes that nobody can predict to their end: distributions over a seeded ensemble.
 
-use super::held::{COMPLETE, KS, QUANTILE};
-use super::{cell, unit_of};
+use super::item::{COMPLETE, KS, QUANTILE};
+use super::unit_of;
 use crate::engine::exact::Exact;
 use crate::finding::Finding;
 use crate::math::statistics::{Distribution, kolmogorov_smirnov};
@@ -26,7 +26,7 @@ const QUANTILES: [(f64, &str); 3] = [(0.1, "10 %"), (0.5, "50 %"), (0.9, "90 %")
 /// True where an engine can afford the samples of a scene.
 pub fn runs(scene: &Scene, column: &Column) -> bool {
     let expressible = column.engine.missing(scene).is_empty();
-    expressible && SAMPLES as f64 * cell::cost(scene, column) <= MOST
+    expressible && SAMPLES as f64 * super::cost(scene, column) <= MOST
 }
 
 /// The samples of one scene.

@@ -4,10 +4,10 @@
 //! about; the scenes that nobody can predict to their end as an ensemble as well. Conclusion: findings, each with a [`Level`], and a list of the [`Case`]s that must have run, so that a
 //! check that did not reach its end cannot pass. What is accepted of them is for `gate`.
 
-mod bits;
 mod cell;
 mod distribution;
 mod held;
+mod item;
 mod oracle;
 mod page;
 mod pair;
@@ -15,15 +15,16 @@ mod promises;
 mod random;
 mod written;
 
-pub use bits::{DIGITS, is_digest};
+pub use crate::law::rerun::{DIGITS, is_digest};
 pub use distribution::{SAMPLES, SEED};
-pub use held::{HELD, Held, hold, level, tolerance, unit_of, what};
+pub use held::{HELD, hold, level, tolerance, unit_of, what};
+pub use item::Held;
 pub use oracle::ORACLE;
 pub use page::{Against, bounds, page, summary};
-pub use pair::{between, ulp_of};
+pub use pair::between;
 pub use promises::Broken;
 pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash, random_plan};
-pub use written::{WRITTEN, unheld};
+pub use written::{WRITTEN, ulp_of, unheld};
 
 use super::Extent;
 use super::ensemble::Landing;
@@ -217,12 +218,12 @@ fn needs_ensemble(scene: &Scene, oracle: Option<&Oracle>) -> bool {
 fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {
     match *unit {
         Unit::Cell(s, c) => Task {
-            cost: cell::cost(&scenes[s], &plans[s][c]),
+            cost: cost(&scenes[s], &plans[s][c]),
             label: format!("{} in {}", scenes[s].name, plans[s][c].label()),
         },
         Unit::Samples(s, c) => Task {
             cost: c.map_or(0.0, |c| {
-                distribution::SAMPLES as f64 * cell::cost(&scenes[s], &plans[s][c])
+                distribution::SAMPLES as f64 * cost(&scenes[s], &plans[s][c])
             }),
             label: format!("samples of {}", scenes[s].name),
         },
@@ -382,4 +383,10 @@ impl Outcome {
         let ulp = self.ulps.get(engine).copied().unwrap_or(f64::EPSILON);
         tolerance(metric, ulp)
     }
+}
+
+/// How long a cell takes, ns, roughly; 0 where the setting is refused.
+fn cost(scene: &Scene, column: &Column) -> f64 {
+    let pace = column.engine.pace(scene, &column.setting);
+    pace.map_or(0.0, |pace| pace.cost * scene.duration)
 }

@@ -1,6 +1,6 @@
 //! What the exact engine itself answers: what every other number is measured from must not move unseen.
 
-use super::held::{CERTAIN, END_X, END_Y, ENDING, STOPPED};
+use super::item::{CERTAIN, END_X, END_Y, ENDING, STOPPED};
 use super::unit_of;
 use crate::finding::Finding;
 use crate::scene::Scene;

@@ -1,6 +1,6 @@
 //! Two runs of one scene: two versions of an engine, two machines, two settings.
 
-use super::held::{ENDING, WORK};
+use super::item::{ENDING, WORK};
 use super::{unit_of, written};
 use crate::compare::{self, Comparison};
 use crate::finding::Finding;
@@ -30,16 +30,4 @@ pub fn between(scene: &Scene, engine: &str, trace: &Trace, reference: &Trace) ->
     findings.extend(work.map(|(name, count)| finding(WORK, name, *count as f64)));
     findings.extend(written::findings(scene, engine, trace, reference));
     findings
-}
-
-/// Rounding of the scalar in which a trace was computed, as far as its file says: f64, unless engine or precision name f32.
-pub fn ulp_of(trace: &Trace) -> f64 {
-    let provenance = &trace.provenance;
-    let precision = provenance.parameters.get("precision");
-    let named = precision.and_then(|p| p.as_str()) == Some("f32");
-    if named || provenance.engine.ends_with("-f32") {
-        f64::from(f32::EPSILON)
-    } else {
-        f64::EPSILON
-    }
 }

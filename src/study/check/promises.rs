@@ -4,17 +4,16 @@
 //! a rerun to the bit, a quarter turn, all lengths four times as long.
 
 use super::Level;
-use super::held::PROMISE;
+use super::item::PROMISE;
 use crate::finding::{Finding, Verdict};
-use crate::math::{Vec3, within, worse};
-use crate::physics::Friction;
-use crate::physics::State;
-use crate::physics::invariants::{Invariant, kinetic_energy};
-use crate::scene::{Scene, Table};
+use crate::law::rerun::digest;
+use crate::law::{self, Reads, Run, image};
+use crate::math::within;
+use crate::physics::invariants::Invariant;
+use crate::scene::Scene;
 use crate::study::matrix::{Column, Runner};
 use crate::study::stability::{Examined, Oracle, RULES, apart};
-use crate::trace::{EventKind, Record, Trace};
-use std::collections::BTreeMap;
+use crate::trace::Record;
 
 /// A promise that does not hold.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,14 +30,8 @@ pub struct Broken {
     pub why: String,
 }
 
-/// Lengths of the scaled scene are so many times as long: a power of two, which rounds nothing.
-const SCALE: f64 = 4.0;
-
 /// A run longer than this is not repeated to see that it repeats: what is accepted of it sees that in every check, ns.
 const MOST_RERUN: f64 = 5e7;
-
-/// Energy of an impact is kept to so many ulp: two squares, their sums and a projection for each of two balls.
-const IMPACT_ULPS: f64 = 64.0;
 
 /// Every promise that can be looked at: one finding each, and those that do not hold.
 pub fn hold(
@@ -84,7 +77,7 @@ pub fn hold(
 
 /// What the rule of an invariant says; `None` where there is none, or it does not apply.
 fn by_rule(invariant: Invariant, examined: &Examined) -> Option<Result<(), String>> {
-    let own = |(index, _): &&(usize, _)| RULES[*index].invariant == Some(invariant);
+    let own = |(index, _): &&(usize, _)| RULES[*index].invariant() == Some(invariant);
     let (_, judgement) = examined.judged.judgements.iter().find(own)?;
     Some(match judgement.verdict {
         Some(Verdict::Breaks) => Err(judgement.why.clone()),
@@ -92,6 +85,7 @@ fn by_rule(invariant: Invariant, examined: &Examined) -> Option<Result<(), Strin
     })
 }
 
+/// What is seen of an invariant that no rule of `stability` looks at.
 fn directly(
     invariant: Invariant,
     scene: &Scene,
@@ -102,132 +96,49 @@ fn directly(
     runner: Runner<'_>,
 ) -> Option<Result<(), String>> {
     let trace = &examined.ran.trace;
-    let image = |image: &Scene, map: fn(&State) -> State| {
-        let order: Vec<usize> = (0..scene.balls.len()).collect();
-        let ran = runner.run(image, column, Record::Events);
-        let apart = apart(scene, trace, ran, map, &order)?;
-        let bound = examined.rounding.min(1.0);
-        // beyond the horizon nothing is demanded, and a NaN is within nothing
-        let known = oracle.is_some_and(Oracle::is_whole);
-        Some(if within(apart, bound) || !known {
-            Ok(())
-        } else {
-            Err(format!(
-                "it ends {apart:.2e} R from where it should; rounding makes {bound:.2e} R"
-            ))
-        })
-    };
-    match invariant {
-        Invariant::ImpactEnergy => {
+    // every other invariant has a rule, or is held in random scenes
+    if RULES.iter().any(|rule| rule.invariant() == Some(invariant)) || invariant == Invariant::Laws
+    {
+        return None;
+    }
+    let law = law::law(invariant)?;
+    match law.reads {
+        Reads::Run(held) => {
+            let held = held(&Run {
+                ulp: examined.judged.ulp,
+                ..Run::of(scene, trace)
+            })?;
             let whole = scene.initial_energy();
-            let worst = impact_energy(scene, trace);
-            let bound = IMPACT_ULPS * examined.judged.ulp * whole;
-            Some(if within(worst, bound) {
+            Some(if held.holds() {
                 Ok(())
             } else {
-                Err(format!(
-                    "an impact changes {:.2e} of the energy",
-                    worst / whole
-                ))
+                let part = held.seen.value / whole;
+                Err(format!("an impact changes {part:.2e} of the energy"))
             })
         }
-        Invariant::Rerun => {
-            if super::cell::cost(scene, column) > MOST_RERUN {
+        Reads::Rerun => {
+            if super::cost(scene, column) > MOST_RERUN {
                 return None;
             }
             let again = runner.run(scene, column, record).ok()?;
-            Some(if super::bits::of(&again.trace) == super::bits::of(trace) {
+            Some(if digest(&again.trace) == digest(trace) {
                 Ok(())
             } else {
                 Err("a rerun has other bits".to_owned())
             })
         }
-        Invariant::QuarterTurn => image(&turned(scene), |state| {
-            let back = |v: Vec3| Vec3::new(v.y, -v.x, v.z);
-            State {
-                position: back(state.position),
-                velocity: back(state.velocity),
-                spin: back(state.spin),
-            }
-        }),
-        Invariant::Scaling => image(&scaled(scene), |state| State {
-            position: state.position / SCALE,
-            velocity: state.velocity / SCALE,
-            spin: state.spin,
-        }),
-        _ => None,
-    }
-}
-
-/// Largest change of energy over a meeting of two balls, from both sides of it.
-fn impact_energy(scene: &Scene, trace: &Trace) -> f64 {
-    let mut change: BTreeMap<u32, f64> = BTreeMap::new();
-    for (ball, path) in trace.paths.iter().enumerate() {
-        let energy =
-            |state: &State| kinetic_energy(state, scene.balls[ball].mass, scene.inertia(ball));
-        for pair in path.knots.windows(2) {
-            if let Some(event) = pair[1].after {
-                *change.entry(event).or_default() +=
-                    energy(&pair[1].state) - energy(&pair[0].state);
-            }
+        Reads::Image(_) => {
+            let apart = apart(law, scene, column, trace, Record::Events, runner)?;
+            let bound = image::bound(examined.rounding, 0.0);
+            // beyond the horizon nothing is demanded, and a NaN is within nothing
+            let known = oracle.is_some_and(Oracle::is_whole);
+            Some(if within(apart, bound) || !known {
+                Ok(())
+            } else {
+                Err(format!(
+                    "it ends {apart:.2e} R from where it should; rounding makes {bound:.2e} R"
+                ))
+            })
         }
     }
-    let meets = |event: u32| {
-        let event = trace.events.get(event as usize);
-        event.is_some_and(|event| matches!(event.kind, EventKind::BallBall(..)))
-    };
-    let hits = change.iter().filter(|(event, _)| meets(**event));
-    hits.map(|(_, change)| change.abs()).fold(0.0, worse)
-}
-
-/// The scene turned by a quarter turn about the origin, left; every number only changes its place and sign.
-fn turned(scene: &Scene) -> Scene {
-    let turn = |v: Vec3| Vec3::new(-v.y, v.x, v.z);
-    let mut image = scene.clone();
-    // the motion is that of the balls
-    image.shot = None;
-    for ball in &mut image.balls {
-        ball.state = State {
-            position: turn(ball.state.position),
-            velocity: turn(ball.state.velocity),
-            spin: turn(ball.state.spin),
-        };
-    }
-    image.table = scene.table.map(|table| Table {
-        min: [-table.max[1], table.min[0]],
-        max: [-table.min[1], table.max[0]],
-    });
-    let pockets = image.effects.pockets.iter_mut();
-    for circle in pockets.flat_map(|p| &mut p.circles) {
-        (circle[0], circle[1]) = (-circle[1], circle[0]);
-    }
-    image
-}
-
-/// The scene with lengths, speeds and gravity [`SCALE`] times as large.
-fn scaled(scene: &Scene) -> Scene {
-    let mut image = scene.clone();
-    image.shot = None;
-    image.gravity *= SCALE;
-    for ball in &mut image.balls {
-        ball.radius *= SCALE;
-        ball.state.position *= SCALE;
-        ball.state.velocity *= SCALE;
-    }
-    image.table = scene.table.map(|table| Table {
-        min: table.min.map(|x| SCALE * x),
-        max: table.max.map(|x| SCALE * x),
-    });
-    let pockets = image.effects.pockets.iter_mut();
-    for circle in pockets.flat_map(|p| &mut p.circles) {
-        *circle = circle.map(|x| SCALE * x);
-    }
-    // a law with constants in metres: the same scene in another unit
-    if let Some(Friction::Alciatore {
-        length_in_metres, ..
-    }) = &mut image.effects.friction
-    {
-        *length_in_metres /= SCALE;
-    }
-    image
 }

@@ -3,6 +3,7 @@
 //! What must hold of every run is no matter of acceptance: a scene that breaks it is a broken promise. What became of the runs is counted,
 //! and the counts are held like those of the work done: a change that makes a law lenient, or ends runs that went on, moves one.
 
+use super::item::FUZZ;
 use super::{Broken, Case, Level, Outcome, State, unit_of};
 use crate::engine::Setting;
 use crate::finding::Finding;
@@ -24,9 +25,6 @@ const MAX_EVENTS: u64 = 200;
 
 /// Engines that promise to hold in every random scene, with the setting in which they do.
 const HOLD: [(&str, &str); 2] = [("exact", ""), ("stepper", "contact=approaching-only")];
-
-/// The metric of the counts.
-pub const FUZZ: &str = "fuzz";
 
 /// A column for each engine of a check that promises to hold in random scenes.
 pub fn random_plan(columns: &[Column], scenes: u64) -> Plan {

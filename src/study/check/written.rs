@@ -8,7 +8,7 @@
 //! that is nothing within its tolerance, because the largest of many roundings is another one on another target.
 
 use super::Level;
-use super::held::{Held, held};
+use super::item::{Held, held};
 use crate::finding::{Finding, Hold};
 use crate::math::{Vec3, worse};
 use crate::scene::Scene;
@@ -177,6 +177,24 @@ pub fn unheld(scene: &Scene, a: &Trace, b: &Trace, ulp: f64) -> Option<String> {
     })
 }
 
+/// Rounding of the scalar in which a trace was computed, as far as its file says: f64, unless engine or precision name f32.
+pub fn ulp_of(trace: &Trace) -> f64 {
+    let provenance = &trace.provenance;
+    let precision = provenance.parameters.get("precision");
+    let named = precision.and_then(|p| p.as_str()) == Some("f32");
+    if named || provenance.engine.ends_with("-f32") {
+        f64::from(f32::EPSILON)
+    } else {
+        f64::EPSILON
+    }
+}
+
+/// Unit of what is held here.
+fn unit_of(id: &str) -> &'static str {
+    let own = WRITTEN.iter().find(|held| held.id == id);
+    own.map_or("", |held| held.unit)
+}
+
 /// The unit of speeds, > 0.
 fn speed_unit(scene: &Scene) -> f64 {
     let fastest = scene.largest_speed();
@@ -293,7 +311,7 @@ impl Sheet<'_> {
             metric,
             subject: subject.to_owned(),
             value: Some(value),
-            unit: super::unit_of(metric),
+            unit: unit_of(metric),
             verdict: None,
         });
     }
@@ -305,7 +323,7 @@ impl Sheet<'_> {
         if let Some(spot) = trace.ending.spot() {
             self.add(SPOT, &words(trace, spot.balls.iter().copied()), spot.time);
         }
-        let ulp = super::ulp_of(trace);
+        let ulp = ulp_of(trace);
         for (name, extremum) in extrema(trace) {
             self.add(EXTREMUM, name, in_unit(self.scene, name, extremum));
             if !is_nothing(self.scene, name, extremum, ulp) {

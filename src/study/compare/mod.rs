@@ -104,6 +104,24 @@ impl Entry {
 }
 
 impl Outcome {
+    /// Every two runs that are held against each other: all against the reference, or all pairs without one.
+    fn held(&self) -> Vec<(usize, usize, &Standing)> {
+        match self.reference {
+            Some(reference) => {
+                let entries = self.entries.iter().enumerate();
+                entries
+                    .filter_map(|(i, entry)| Some((i, reference, entry.standing.as_ref()?)))
+                    .collect()
+            }
+            None => {
+                let pairs = self.pairs.iter();
+                pairs
+                    .map(|pair| (pair.entries.0, pair.entries.1, &pair.standing))
+                    .collect()
+            }
+        }
+    }
+
     /// The findings of one metric for one engine or pair.
     pub fn findings_of<'a>(
         &'a self,

@@ -5,7 +5,7 @@ use super::tables::{
     attribution_table, ball_table, comparison_table, divergence_table, event_table,
     first_differences, pair_table, sanity_table, settings, sheet,
 };
-use super::words::{describe_ending, describe_horizon, describe_scene};
+use super::words::{describe_ending, describe_horizon, describe_scene, listed};
 use super::{Outcome, PairOutcome, Standing, figures, parting, replay};
 use crate::finding::{Block, Cell, Document};
 
@@ -122,15 +122,6 @@ pub fn headline(outcome: &Outcome) -> String {
     }
     let text = sentences.join("; ");
     if text.is_empty() { text } else { text + "." }
-}
-
-/// `a`, `a and b`, `a, b and c`.
-pub(super) fn listed(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        [one] => one.clone(),
-        [most @ .., last] => format!("{} and {last}", most.join(", ")),
-    }
 }
 
 /// What an engine does to the exact order of collisions, as the rest of a sentence; `~` stands for the s of one engine.

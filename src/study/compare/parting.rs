@@ -1,7 +1,6 @@
 //! The picture of the first event where the engines part: who meets whom, in each of them.
 
 use super::Outcome;
-use super::replay::held;
 use super::words::{describe_event, describe_kind};
 use crate::finding::{Axis, Figure, Series, Style};
 use crate::math::Vec3;
@@ -43,7 +42,7 @@ struct Version<'a> {
 
 /// What the engines have at the first event where two of them part; `None` where none do.
 pub(super) fn first_parting(outcome: &Outcome) -> Option<Figure> {
-    let held = held(outcome);
+    let held = outcome.held();
     let partings = held
         .iter()
         .filter_map(|&(i, j, standing)| Some((i, j, standing.order.parting.as_ref()?, standing)));

@@ -244,7 +244,7 @@ fn remark(outcome: &Outcome, ran: &[usize], shown: &[Vec<bool>], thinned: &[Thin
             let words = wanted(k)?;
             Some(format!("{}{words}", outcome.entries[ran[k]].label()))
         });
-        super::page::listed(&named.collect::<Vec<_>>())
+        words::listed(&named.collect::<Vec<_>>())
     };
     let jumps = listed(&|k| {
         let to = format!(" (to {} R)", thinned[k].tolerance);
@@ -297,24 +297,6 @@ fn run(entry: &Entry, reference: bool, thinned: Thinned, shown: &[bool]) -> Opti
     })
 }
 
-/// Every two runs that are held against each other: all against the reference, or all pairs without one.
-pub(super) fn held(outcome: &Outcome) -> Vec<(usize, usize, &Standing)> {
-    match outcome.reference {
-        Some(reference) => {
-            let entries = outcome.entries.iter().enumerate();
-            entries
-                .filter_map(|(i, entry)| Some((i, reference, entry.standing.as_ref()?)))
-                .collect()
-        }
-        None => {
-            let pairs = outcome.pairs.iter();
-            pairs
-                .map(|pair| (pair.entries.0, pair.entries.1, &pair.standing))
-                .collect()
-        }
-    }
-}
-
 fn partings(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayParting> {
     let parting = |&(i, j, standing): &(usize, usize, &Standing)| {
         let parting = standing.order.parting.as_ref()?;
@@ -348,7 +330,7 @@ fn partings(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<Re
             ),
         })
     };
-    let mut partings: Vec<ReplayParting> = held(outcome).iter().filter_map(parting).collect();
+    let mut partings: Vec<ReplayParting> = outcome.held().iter().filter_map(parting).collect();
     partings.sort_by(|a, b| a.time.total_cmp(&b.time));
     partings
 }
@@ -360,7 +342,7 @@ fn involved(kind: EventKind) -> impl Iterator<Item = usize> {
 
 /// Distances over time: of all from the reference, or without one of all from the engine that stands in its place in the first pair.
 fn divergence(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayDivergence> {
-    let held = held(outcome);
+    let held = outcome.held();
     let Some(&(_, yardstick, _)) = held.first() else {
         return Vec::new();
     };

@@ -145,3 +145,12 @@ pub fn describe_order(order: &Order, agreeing: usize) -> String {
         _ => format!("{agreeing}/{total}"),
     }
 }
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
+}

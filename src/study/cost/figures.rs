@@ -137,51 +137,15 @@ fn figure(
     factor: f64,
 ) -> Option<Figure> {
     let places = Places::of(families, quantity, factor);
-    let mut series = Vec::new();
-    for measured in families {
-        let points: Vec<[f64; 2]> = measured
-            .points
-            .iter()
-            .filter_map(|point| places.place(point))
-            .collect();
-        if points.is_empty() {
-            continue;
-        }
-        for style in [Style::Line, Style::Points] {
-            series.push(Series {
-                name: measured.family.label(),
-                points: points.clone(),
-                style,
-            });
-        }
-    }
+    let mut series = lines(families, &places);
     if series.is_empty() {
         return None;
     }
-    let points = || families.iter().flat_map(|measured| &measured.points);
-    let gains = |point: &&Point| point.gained().is_some_and(|gained| gained > GAINS);
-    let failed = points()
-        .filter(|point| !point.errors.is_empty() && places.place(point).is_none())
-        .filter_map(|point| Some([places.none, point.seconds()? * factor]));
-    let gaining = points()
-        .filter(gains)
-        .filter_map(|point| places.place(point));
-    let extra: [(&str, Vec<[f64; 2]>, Style); 2] = [
-        ("gains energy", gaining.collect(), Style::Rings),
-        ("no answer", failed.collect(), Style::Crosses),
-    ];
     series.extend(slopes(families, &places));
     series.extend(front_of.and_then(|outcome| edge(outcome, &places)));
-    for (name, points, style) in extra {
-        if !points.is_empty() {
-            series.push(Series {
-                name: name.to_owned(),
-                points,
-                style,
-            });
-        }
-    }
-    let zeros = points().any(|point| point.error(quantity) == Some(0.0));
+    series.extend(remarkable(families, &places));
+    let mut points = families.iter().flat_map(|measured| &measured.points);
+    let zeros = points.any(|point| point.error(quantity) == Some(0.0));
     let unanswered = series.iter().any(|s| s.style == Style::Crosses);
     let mut marks = Vec::new();
     if zeros && places.log {
@@ -214,6 +178,54 @@ fn figure(
         series,
         marks,
     })
+}
+
+/// Each family's points, joined.
+fn lines(families: &[&Measured], places: &Places) -> Vec<Series> {
+    let mut series = Vec::new();
+    for measured in families {
+        let points: Vec<[f64; 2]> = measured
+            .points
+            .iter()
+            .filter_map(|point| places.place(point))
+            .collect();
+        if points.is_empty() {
+            continue;
+        }
+        for style in [Style::Line, Style::Points] {
+            series.push(Series {
+                name: measured.family.label(),
+                points: points.clone(),
+                style,
+            });
+        }
+    }
+    series
+}
+
+/// Points that gain energy, and those without an answer.
+fn remarkable(families: &[&Measured], places: &Places) -> Vec<Series> {
+    let points = || families.iter().flat_map(|measured| &measured.points);
+    let gains = |point: &&Point| point.gained().is_some_and(|gained| gained > GAINS);
+    let failed = points()
+        .filter(|point| !point.errors.is_empty() && places.place(point).is_none())
+        .filter_map(|point| Some([places.none, point.seconds()? * places.factor]));
+    let gaining = points()
+        .filter(gains)
+        .filter_map(|point| places.place(point));
+    let found = [
+        ("gains energy", gaining.collect::<Vec<_>>(), Style::Rings),
+        ("no answer", failed.collect(), Style::Crosses),
+    ];
+    let found = found
+        .into_iter()
+        .filter(|(_, points, _)| !points.is_empty());
+    let series = found.map(|(name, points, style)| Series {
+        name: name.to_owned(),
+        points,
+        style,
+    });
+    series.collect()
 }
 
 /// The edge of what can be had: for each error, the shortest time of any setting of the whole study that is as good.

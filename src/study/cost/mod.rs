@@ -10,6 +10,7 @@ mod listing;
 mod page;
 mod plan;
 mod price;
+mod price_list;
 mod quantity;
 mod tables;
 mod verdict;
@@ -20,7 +21,8 @@ pub use listing::listing;
 pub use page::{page, summary};
 pub use plan::{Family, Grid, Level};
 
-pub use price::{Offer, Price, PriceList, THRESHOLDS, cheapest, front, noise, offers};
+pub use price::{Offer, THRESHOLDS, cheapest, front, noise, offers};
+pub use price_list::{Price, PriceList};
 pub use quantity::{Errors, Quantity};
 pub use verdict::{Fit, Kind, Verdict};
 

@@ -1,9 +1,7 @@
 //! The price list: the cheapest setting for each error, and the settings that none beats in both error and time.
 
-use super::{Outcome, Point, Quantity, page, words};
+use super::{Outcome, Point, Quantity};
 use crate::math::statistics::Distribution;
-use crate::scene::Scene;
-use serde::{Deserialize, Serialize};
 
 /// Errors that prices are given for, in the unit of the quantity.
 pub const THRESHOLDS: [f64; 9] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
@@ -92,71 +90,4 @@ pub fn noise(outcome: &Outcome) -> f64 {
         .flat_map(|measured| &measured.points);
     let noises = points.filter_map(|point| point.timed.as_ref()?.noise);
     Distribution::of(noises).map_or(LEAST_NOISE, |all| all.quantile(MOST_CELLS).max(LEAST_NOISE))
-}
-
-/// The price list of one scene as a file, for a report made later.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PriceList {
-    /// Name of the scene.
-    pub scene: String,
-    /// Its fingerprint; a scene that changed since has other prices.
-    pub scene_hash: String,
-    /// Version of carom that made it.
-    pub version: String,
-    /// The command that makes it again.
-    pub command: String,
-    /// One entry a quantity and error; those that no setting reaches are left out.
-    pub prices: Vec<Price>,
-}
-
-/// The cheapest setting for an error.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Price {
-    /// Id of the quantity.
-    pub quantity: String,
-    /// The error asked for, in the unit of the quantity.
-    pub error: f64,
-    /// The engine.
-    pub engine: String,
-    /// Its setting, as `--set` takes it.
-    pub setting: String,
-    /// The same with numbers of three digits.
-    pub label: String,
-    /// The error that it has.
-    pub reached: f64,
-    /// Time of a shot, s.
-    pub seconds: f64,
-}
-
-impl PriceList {
-    /// The price list of a study. `scene`: as it was given, before the study shortened it to what can be believed.
-    pub fn of(outcome: &Outcome, scene: &Scene) -> Self {
-        let mut prices = Vec::new();
-        for quantity in Quantity::ALL {
-            let offers = offers(outcome, quantity);
-            for error in THRESHOLDS {
-                prices.extend(cheapest(offers.iter().copied(), error).map(|offer| Price {
-                    quantity: quantity.id().to_owned(),
-                    error,
-                    engine: offer.engine().to_owned(),
-                    setting: offer.point.level.column.setting.to_string(),
-                    label: words::short_label(offer.point),
-                    reached: offer.error,
-                    seconds: offer.seconds,
-                }));
-            }
-        }
-        PriceList {
-            scene: scene.name.clone(),
-            scene_hash: scene.hash(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            command: page::command(outcome),
-            prices,
-        }
-    }
-
-    /// True if it belongs to this scene and this version.
-    pub fn is_of(&self, scene: &Scene) -> bool {
-        self.scene_hash == scene.hash() && self.version == env!("CARGO_PKG_VERSION")
-    }
 }

@@ -2,10 +2,10 @@
 //! written as text that reads back as the same.
 
 use crate::engine::{self, Refusal};
+use crate::law::Fault;
 use crate::scene::generate::{Recipe, generate};
 use crate::scene::{Diagnostics, Scene, SceneError, parse_bytes, rewritten};
 use crate::study::Column;
-use crate::study::random::Fault;
 use crate::trace::files::{self, Files};
 
 /// Whether an input was accepted, or what is wrong with how it was read.

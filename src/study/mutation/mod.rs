@@ -12,8 +12,9 @@ pub use mutate::{mutate, replace_number};
 pub use page::summary;
 
 use super::matrix::{self, Column, Watch};
-use super::random::{Fault, caught};
+use super::random::caught;
 use crate::engine::Limits;
+use crate::law::Fault;
 use crate::math::random::Draws;
 use crate::scene::adversarial::adversarial;
 use crate::scene::generate::Recipe;

@@ -5,17 +5,17 @@
 //! how the runs ended, the worst of each bound with its scene, and every fault with the number of its scene, which anybody can
 //! make again.
 
-mod laws;
 mod page;
 mod verdict;
 
-pub use laws::Laws;
 pub use page::summary;
-pub use verdict::{Fault, MOST_ENERGY, Verdict, check, check_laws};
+pub use verdict::{Verdict, check};
 
 use super::Extent;
 use super::matrix::{self, Column, Watch};
 use crate::engine::{Limits, Refusal};
+use crate::law::Fault;
+use crate::law::closed_forms::{self, Laws};
 use crate::physics::invariants::Invariant;
 use crate::scene::adversarial::adversarial;
 use crate::scene::{Scene, parse};
@@ -218,7 +218,7 @@ pub fn judge(
     let mut verdict = check(scene, &trace, sweeps);
     let promised = column.engine.promises(scene, &column.setting);
     if promised.contains(&Invariant::Laws) {
-        let mut laws = check_laws(scene, &trace);
+        let mut laws = closed_forms::check(scene, &trace);
         verdict.faults.append(&mut laws.faults);
         verdict.laws = Some(laws);
     }

@@ -1,7 +1,8 @@
 //! The document of random scenes.
 
-use super::{Entry, MOST_ENERGY, Outcome, SWEPT, Worst};
+use super::{Entry, Outcome, SWEPT, Worst};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
+use crate::law::energy::ABOVE_START;
 
 /// Faults that are shown; the rest is counted.
 const SHOWN: usize = 40;
@@ -27,7 +28,7 @@ pub fn summary(outcome: &Outcome) -> Document {
         ),
         format!(
             "Held: every impact, and every motion between events, is that of closed forms which share nothing with the engines' laws; \
-             numbers are finite; energy never more than {MOST_ENERGY:e} above its start; nobody outside or overlapping by more \
+             numbers are finite; energy never more than {ABOVE_START:e} above its start; nobody outside or overlapping by more \
              than rounding, or in a stepped engine than its step explains; no panic. Parry measures every overlap at every knot; \
              of every {SWEPT}th scene it sweeps the paths of engines that solve for their events."
         ),

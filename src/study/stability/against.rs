@@ -1,7 +1,7 @@
 //! A run against the exact one: the order of collisions, distances, stop times; and whether the step explains what differs.
 
+use super::evidence::{Evidence, Judgement, Place, short};
 use super::oracle::Oracle;
-use super::rules::{Evidence, Judgement, Place, short};
 use crate::compare::{Comparison, largest_distance_at_end};
 use crate::finding::Verdict;
 use crate::math::{within, worse};

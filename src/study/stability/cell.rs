@@ -1,18 +1,17 @@
 //! One cell: its runs, its evidence, its verdict.
 
-use super::images::{is_reversible, mirror, mirrored, relabelled, reversed};
+use super::evidence::{Evidence, Judgement, Place};
 use super::oracle::{Allowance, Oracle};
 use super::plan::{MOST_EVENTS, Planned};
-use super::rules::{Evidence, Judgement, Place, RULES, Rule, rounding_grown};
+use super::rules::{RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
 use crate::engine::{Refusal, Role};
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
-use crate::math::{Vec3, worse};
-use crate::physics::State;
+use crate::law::{Law, Reads, mirror, relabelling, time_reversal};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::{TABLE_CAPTION, table_picture};
-use crate::study::matrix::{Cell, Column, Ran, Runner};
+use crate::study::matrix::{Column, Ran, Runner};
 use crate::trace::{Ending, Record, Trace};
 
 /// The finding that is the verdict of a run.
@@ -178,28 +177,10 @@ pub fn examine(
     } else {
         Record::Final
     };
-    let everything: Vec<usize> = (0..scene.balls.len()).collect();
-    let backward: Vec<usize> = everything.iter().rev().copied().collect();
-    let image = |image: &Scene, map: fn(&State) -> State, order: &[usize]| {
-        apart(
-            scene,
-            &ran.trace,
-            runner.run(image, column, short),
-            map,
-            order,
-        )
+    let image = |law: &Law| {
+        let wanted = wanted(law.invariant);
+        wanted.then(|| apart(law, scene, column, &ran.trace, short, runner))?
     };
-    let mirror = wanted(Invariant::Mirror)
-        .then(|| image(&mirrored(scene), mirror, &everything))
-        .flatten();
-    let relabelled = (scene.balls.len() > 1 && wanted(Invariant::Relabelling))
-        .then(|| image(&relabelled(scene), |state| *state, &backward))
-        .flatten();
-    let reversible = is_reversible(scene) && ran.trace.ending == Ending::Duration;
-    let reversal = (reversible && wanted(Invariant::TimeReversal))
-        .then(|| reversed(scene, &ran.trace))
-        .flatten()
-        .and_then(|back| from_start(scene, runner.run(&back, column, short)));
     let promises = column.engine.promises(scene, &column.setting);
     let evidence = Evidence {
         scene,
@@ -209,9 +190,9 @@ pub fn examine(
         comparison: comparison(scene, &ran, oracle, events),
         trace: &ran.trace,
         events,
-        mirror,
-        relabelled,
-        reversal,
+        mirror: image(&mirror::LAW),
+        relabelled: image(&relabelling::LAW),
+        reversal: image(&time_reversal::LAW),
     };
     let judged = judge(&evidence);
     let rounding = rounding_grown(&evidence);
@@ -239,7 +220,7 @@ pub fn judge(evidence: &Evidence<'_>) -> Judged {
         }
     }
     let promised = RULES.iter().enumerate().filter(|(_, rule)| {
-        rule.invariant
+        rule.invariant()
             .is_some_and(|invariant| evidence.promises(invariant))
     });
     let mut judged = Judged {
@@ -288,75 +269,25 @@ fn comparison<'a>(
         .then(|| Comparison::new(scene, &ran.trace, &oracle.trace).up_to(oracle.until))
 }
 
-/// Largest distance of a ball's end from where its image ends, R. `order`: whose image each ball of the image is.
-///
-/// Infinite where the image ends otherwise, or another ball leaves play; `None` where either run has no end.
+/// How far the image of a scene ends from where a run of the scene says, R: infinite where the engine refuses what it must run; `None` where
+/// there is no image, or nothing to compare.
 pub fn apart(
+    law: &Law,
     scene: &Scene,
+    column: &Column,
     trace: &Trace,
-    image: Cell,
-    map: fn(&State) -> State,
-    order: &[usize],
+    record: Record,
+    runner: Runner<'_>,
 ) -> Option<f64> {
-    let image = match image {
-        Ok(Ran { trace, .. }) => trace,
-        Err(Refusal::Stopped) => return None,
-        Err(_) => return Some(f64::INFINITY),
-    };
-    let broken = |trace: &Trace| matches!(trace.ending, Ending::NotFinite(_));
-    if broken(trace) || broken(&image) {
-        return None;
-    }
-    let complete = (trace.ending.is_complete(), image.ending.is_complete());
-    if complete.0 != complete.1 || (!complete.0 && trace.ending.id() != image.ending.id()) {
-        return Some(f64::INFINITY);
-    }
-    let ends = |trace: &Trace| -> Vec<Option<Vec3>> {
-        let states = trace.final_states();
-        states.iter().map(|s| s.map(|s| s.position)).collect()
-    };
-    let (ours, theirs) = if complete.0 {
-        let mapped = image
-            .final_states()
-            .iter()
-            .map(|s| s.map(|s| map(&s).position))
-            .collect::<Vec<_>>();
-        (ends(trace), mapped)
-    } else {
-        // both ended early: where both still know
-        let end = trace.end_time.min(image.end_time);
-        let at = |trace: &Trace, map: fn(&State) -> State| -> Vec<Option<Vec3>> {
-            (0..order.len())
-                .map(|ball| trace.in_play_at(ball, end).map(|s| map(&s).position))
-                .collect()
-        };
-        (at(trace, |s| *s), at(&image, map))
-    };
-    let distance = |(at, &ball): (usize, &usize)| match (ours[ball], theirs[at]) {
-        (Some(p), Some(q)) => (p - q).norm(),
-        (None, None) => 0.0,
-        _ => f64::INFINITY,
-    };
-    let worst = order.iter().enumerate().map(distance).fold(0.0, worse);
-    Some(worst / scene.smallest_radius())
-}
-
-/// Largest distance of a ball from its start after running back, R.
-fn from_start(scene: &Scene, back: Cell) -> Option<f64> {
-    let Ok(Ran { trace, .. }) = back else {
+    let Reads::Image(image) = law.reads else {
         return None;
     };
-    if !trace.ending.is_complete() {
-        return None;
+    let mapped = (image.of)(scene, trace)?;
+    match runner.run(&mapped, column, record) {
+        Ok(ran) => (image.apart)(scene, trace, &ran.trace),
+        Err(Refusal::Stopped) => None,
+        Err(_) => image.must_run.then_some(f64::INFINITY),
     }
-    let ends = trace.final_states();
-    let distance = |(ball, end): (&crate::scene::Ball, &Option<State>)| {
-        end.map_or(f64::INFINITY, |end| {
-            (end.position - ball.state.position).norm()
-        })
-    };
-    let worst = scene.balls.iter().zip(&ends).map(distance).fold(0.0, worse);
-    Some(worst / scene.smallest_radius())
 }
 
 /// Paths on the table, and points where it broke.

@@ -6,8 +6,8 @@
 
 mod against;
 mod cell;
+mod evidence;
 mod figures;
-mod images;
 mod oracle;
 mod page;
 mod plan;
@@ -16,12 +16,12 @@ mod tables;
 mod words;
 
 pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
-pub use images::{is_reversible, mirrored, relabelled, reversed};
+pub use evidence::{Evidence, Judgement, Place};
 pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
 pub(super) use plan::tried;
 pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
-pub use rules::{Evidence, Judgement, Place, RULES, Rule, rule};
+pub use rules::{RULES, Rule, rule};
 
 use super::matrix::{Column, Task, Watch, run_tasks};
 use crate::engine::Engine;

@@ -82,7 +82,7 @@ fn about(outcome: &Outcome, index: usize) -> Vec<Block> {
         Block::Text(format!(
             "{}; right about {certain} of {all} events; growth {}.",
             describe_ending(&oracle.trace),
-            super::rules::short(oracle.grown)
+            super::evidence::short(oracle.grown)
         ))
     }));
     blocks

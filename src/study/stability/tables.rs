@@ -241,7 +241,7 @@ pub fn rules() -> Table {
         vec![
             Cell::text(rule.id),
             Cell::text(rule.unit),
-            Cell::text(rule.what),
+            Cell::text(rule.what()),
         ]
     };
     Table {

@@ -3,8 +3,9 @@
 use super::{baselines, check, said};
 use carom::engine::{self, Setting};
 use carom::gate::{self, Decision, Held, Refused};
+use carom::law::Fault;
 use carom::study::check::{self as gate_study, Level, RANDOM, State, random_hash, random_plan};
-use carom::study::random::{self, Failure, Fault};
+use carom::study::random::{self, Failure};
 use carom::study::{Column, Watch};
 use std::fs;
 use std::sync::atomic::AtomicBool;

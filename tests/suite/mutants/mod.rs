@@ -2,7 +2,7 @@
 //!
 //! `cargo test --test suite mutants -- --nocapture` prints the table of `validation/MUTANTS.md`.
 
-mod engines;
+pub mod engines;
 mod held;
 mod laws;
 mod missed;

@@ -453,7 +453,7 @@ fn every_rule_has_a_name_a_meaning_and_a_unit_or_counts() {
     assert_eq!(names.len(), RULES.len());
     for known in RULES {
         assert!(carom::scene::is_kebab_case(known.id), "{}", known.id);
-        assert!(!known.what.is_empty(), "{}", known.id);
+        assert!(!known.what().is_empty(), "{}", known.id);
         assert_eq!(known.unit.is_empty(), known.counts, "{}", known.id);
         let tolerance = known.tolerance(f64::EPSILON);
         assert_eq!(tolerance == Tolerance::None, known.counts, "{}", known.id);

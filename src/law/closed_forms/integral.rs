@@ -3,7 +3,7 @@
 //! In each step friction takes, at each of the two contacts, its limit or what would end the slip there, whichever is less. The error
 //! falls with the step, so that twice as many steps tell it.
 
-use super::cushion::{Facing, nose};
+use super::facing::{Facing, nose};
 use crate::math::Vec3;
 
 /// Steps of the push that would stop the ball if only the nose pushed; half as many in the run that tells the error.

@@ -1,19 +1,12 @@
 //! A ball that meets a cushion, in components into it, along it and up.
 
+use super::facing::{Facing, nose};
 use super::{Audit, Jump, NONE, Part, TOGETHER};
 use crate::math::Vec3;
 use crate::physics::{Cushion, Side};
 
 /// Impacts of a run that are integrated again where a law has no closed form: they take a thousand times as long as others.
 const INTEGRATED: u64 = 4;
-
-/// A motion as a cushion meets it: x into the cushion, y along it to the left, z up.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Facing {
-    pub(super) velocity: Vec3,
-    /// Spin times radius.
-    pub(super) surface: Vec3,
-}
 
 impl Audit<'_> {
     /// A ball met a cushion; a stepped engine only puts it back where it is outside and moves inward.
@@ -226,11 +219,6 @@ impl Audit<'_> {
 
 /// What a law that is integrated may miss of the sizes that it starts from.
 const INTEGRATION: f64 = 1e-8;
-
-/// Sine and cosine of the height of the nose above the centre, seen from the centre; `height` in radii.
-pub(super) fn nose(height: f64) -> (f64, f64) {
-    (height - 1.0, (height * (2.0 - height)).sqrt())
-}
 
 fn mirrored(mut motion: Facing, e: f64) -> Facing {
     motion.velocity.x *= -e;

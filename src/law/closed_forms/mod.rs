@@ -13,12 +13,14 @@
 
 mod cloth;
 mod cushion;
+mod facing;
 mod hit;
 mod integral;
 mod pockets;
 
-use super::Fault;
+use super::{Fault, Held, Law, Reads, Run, finite};
 use crate::math::{Vec3, worse};
+use crate::physics::invariants::Invariant;
 use crate::physics::{Side, State};
 use crate::scene::{Scene, Table};
 use crate::trace::{Event, EventKind, Knot, Trace};
@@ -92,8 +94,21 @@ struct Audit<'a> {
     found: Laws,
 }
 
-/// Holds a trace of `scene` against the laws. `place`: what the place of a ball is good to, length.
-pub fn check(scene: &Scene, trace: &Trace, place: f64) -> Laws {
+/// The invariant. Its figure counts kinds of faults: each impact and each motion has a bound of its own.
+pub const LAW: Law = Law {
+    invariant: Invariant::Laws,
+    unit: "",
+    what: "every impact, and every motion between events, is what closed forms make of it that share nothing with the engines' laws",
+    reads: Reads::Run(|run| Some(Held::none_of(check(run.scene, run.trace).faults.len()))),
+};
+
+/// Holds a trace of `scene` against closed forms of its laws.
+pub fn check(scene: &Scene, trace: &Trace) -> Laws {
+    if finite::strange(trace).next().is_some() {
+        return Laws::default();
+    }
+    // how near is near enough for an impact is decided before a run, by its longest way
+    let place = Run::of(scene, trace).rounding(scene.duration);
     let precision = trace.provenance.parameters.get("precision");
     let precision = precision.and_then(|word| word.as_str()).unwrap_or("f64");
     let mut audit = Audit {

@@ -23,6 +23,24 @@ struct Rub {
     error: f64,
 }
 
+/// How two balls come to each other.
+struct Meeting<'a> {
+    parties: [Party<'a>; 2],
+    /// Unit vectors in plan: from the first to the second, and across.
+    n: Vector2<f64>,
+    t: Vector2<f64>,
+    /// Relative speed along the normal and across, length/s.
+    closing: f64,
+    sliding: f64,
+    /// Relative error of a number, and that of a speed of both, length/s.
+    grain: f64,
+    error: f64,
+    /// Restitution and the name of its law.
+    e: f64,
+    law: &'static str,
+    together: bool,
+}
+
 impl Audit<'_> {
     /// Two balls met: `balls`, first and second, with both sides of each. `together`: see [`Audit::together`].
     pub(super) fn hit(&mut self, balls: [usize; 2], jumps: [&Jump; 2], together: bool) {
@@ -38,87 +56,144 @@ impl Audit<'_> {
             let words = self.at("no law of contact", &parties);
             return self.fault("hit-told", words);
         };
-        let (e, law) = match contact {
-            Contact::Elastic {} => (1.0, "contact.elastic"),
-            Contact::Inelastic { e } => (e, "contact.inelastic"),
-        };
         let line = plan(&jumps[1].near.position) - plan(&jumps[0].near.position);
         let apart = line.norm();
         self.places(&parties, apart, together);
         if apart == 0.0 {
             return self.leave_out("centres in one place");
         }
-        let n = line / apart;
-        let t = left(n);
-        let [v1, v2] = jumps.map(|jump| plan(&jump.near.velocity));
-        let difference = v1 - v2;
-        let closing = difference.dot(&n);
-        let speeds = v1.norm() + v2.norm();
-        // places that are told with fewer digits than they have turn the normal
-        let turned = if self.rounded {
-            f64::EPSILON * (jumps[0].near.position.norm() + jumps[1].near.position.norm()) / apart
-        } else {
-            0.0
-        };
-        let grain = self.grain + turned;
-        let error = grain * speeds + super::NONE;
+        let meeting = self.meeting(parties, contact, line / apart, apart, together);
         if together {
             self.leave_out(TOGETHER);
         } else {
             self.found.impacts += 1;
+            self.parts_before(&meeting);
         }
-        if !together && let Some(off) = self.off(Part::Impact, (-closing).max(0.0), error) {
-            let words = self.at(law, &parties);
+        let Meeting {
+            closing,
+            sliding,
+            e,
+            grain,
+            ..
+        } = meeting;
+        let rub = self.rub(&meeting.parties, [sliding, closing, e], grain);
+        let (mut sum, mut sum_error) = (Vector2::zeros(), 0.0);
+        for party in meeting.parties {
+            let (change, allowed) = self.pushed(&meeting, party, &rub);
+            sum += change * party.mass;
+            sum_error += allowed * party.mass;
+        }
+        if let Some(off) = self.off(Part::Impact, sum.norm(), sum_error) {
+            let words = format!("{}, {off}", self.at("momentum", &meeting.parties));
+            self.fault("hit-momentum", words);
+        }
+    }
+
+    /// `n`: from the first ball to the second; `apart`: distance of their centres, length.
+    fn meeting<'b>(
+        &self,
+        parties: [Party<'b>; 2],
+        contact: Contact,
+        n: Vector2<f64>,
+        apart: f64,
+        together: bool,
+    ) -> Meeting<'b> {
+        let (e, law) = match contact {
+            Contact::Elastic {} => (1.0, "contact.elastic"),
+            Contact::Inelastic { e } => (e, "contact.inelastic"),
+        };
+        let near = parties.map(|party| &party.jump.near);
+        let [v1, v2] = near.map(|near| plan(&near.velocity));
+        let difference = v1 - v2;
+        // places that are told with fewer digits than they have turn the normal
+        let turned = if self.rounded {
+            f64::EPSILON * (near[0].position.norm() + near[1].position.norm()) / apart
+        } else {
+            0.0
+        };
+        let grain = self.grain + turned;
+        let t = left(n);
+        Meeting {
+            parties,
+            closing: difference.dot(&n),
+            sliding: difference.dot(&t),
+            n,
+            t,
+            grain,
+            error: grain * (v1.norm() + v2.norm()) + super::NONE,
+            e,
+            law,
+            together,
+        }
+    }
+
+    /// Two balls that part do not meet.
+    fn parts_before(&mut self, meeting: &Meeting<'_>) {
+        let parting = (-meeting.closing).max(0.0);
+        if let Some(off) = self.off(Part::Impact, parting, meeting.error) {
+            let words = self.at(meeting.law, &meeting.parties);
             self.fault(
                 "hit-parting",
                 format!("{words}: they part before they meet: {off}"),
             );
         }
-        let rub = self.rub(&parties, [difference.dot(&t), closing, e], grain);
-        let (mut sum, mut sum_error) = (Vector2::zeros(), 0.0);
-        for party in parties {
-            let other = parties[usize::from(party.sign < 0.0)];
-            // its share of what two masses exchange
-            let share = other.mass / (party.mass + other.mass);
-            let [near, far] = [&party.jump.near, &party.jump.far].map(|side| plan(&side.velocity));
-            let change = far - near;
-            // each side is told to its own last digits: much friction leaves a ball that spins faster than it came
-            let told = grain * (near.norm() + far.norm());
-            let mut allowed = told + (1.0 + e) * share * error;
-            let mut across = allowed + share * rub.error;
-            if together {
-                // all impulses of an instant between two balls are one: what it leaves may be faster than any ball will be
-                allowed = told + self.chain();
-                across = allowed;
-            } else {
-                let want = party.sign * (1.0 + e) * share * closing;
-                let got = change.dot(&n);
-                if let Some(off) = self.off(Part::Impact, (got - want).abs(), allowed) {
-                    let words = format!(
-                        "{}: the speed along the normal changes by {got:e} instead of {want:e}, {off}",
-                        self.at(law, &parties)
-                    );
-                    self.fault("hit-restitution", words);
-                }
-            }
-            let want = party.sign * share * -rub.across;
-            let got = change.dot(&t);
-            if let Some(off) = self.off(Part::Impact, (got - want).abs(), across) {
+    }
+
+    /// What the impulse does to one ball: the change of its velocity and what that is good to, length/s.
+    fn pushed(
+        &mut self,
+        meeting: &Meeting<'_>,
+        party: Party<'_>,
+        rub: &Rub,
+    ) -> (Vector2<f64>, f64) {
+        let Meeting {
+            parties,
+            n,
+            t,
+            closing,
+            grain,
+            error,
+            e,
+            law,
+            together,
+            ..
+        } = meeting;
+        let other = parties[usize::from(party.sign < 0.0)];
+        // its share of what two masses exchange
+        let share = other.mass / (party.mass + other.mass);
+        let [near, far] = [&party.jump.near, &party.jump.far].map(|side| plan(&side.velocity));
+        let change = far - near;
+        // each side is told to its own last digits: much friction leaves a ball that spins faster than it came
+        let told = grain * (near.norm() + far.norm());
+        let mut allowed = told + (1.0 + e) * share * error;
+        let mut across = allowed + share * rub.error;
+        if *together {
+            // all impulses of an instant between two balls are one: what it leaves may be faster than any ball will be
+            allowed = told + self.chain();
+            across = allowed;
+        } else {
+            let want = party.sign * (1.0 + e) * share * closing;
+            let got = change.dot(n);
+            if let Some(off) = self.off(Part::Impact, (got - want).abs(), allowed) {
                 let words = format!(
-                    "{}: the speed across changes by {got:e} instead of {want:e}, {off}",
-                    self.at(self.friction(), &parties)
+                    "{}: the speed along the normal changes by {got:e} instead of {want:e}, {off}",
+                    self.at(law, parties)
                 );
-                self.fault("hit-friction", words);
+                self.fault("hit-restitution", words);
             }
-            let turned = [share * rub.across, share * rub.up];
-            self.turns(&parties, &party, turned, t, across);
-            sum += change * party.mass;
-            sum_error += (allowed + across) * party.mass;
         }
-        if let Some(off) = self.off(Part::Impact, sum.norm(), sum_error) {
-            let words = format!("{}, {off}", self.at("momentum", &parties));
-            self.fault("hit-momentum", words);
+        let want = party.sign * share * -rub.across;
+        let got = change.dot(t);
+        if let Some(off) = self.off(Part::Impact, (got - want).abs(), across) {
+            let words = format!(
+                "{}: the speed across changes by {got:e} instead of {want:e}, {off}",
+                self.at(self.friction(), parties)
+            );
+            self.fault("hit-friction", words);
         }
+        let turned = [share * rub.across, share * rub.up];
+        self.turns(parties, &party, turned, *t, across);
+        (change, allowed + across)
     }
 
     /// Neither moves while it is hit, and they touch: two spheres on a table whose centres are at different heights.

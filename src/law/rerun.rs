@@ -1,8 +1,18 @@
-//! A digest of what a run did: equal digests mean equal bits.
+//! A rerun gives the same bits.
 
+use super::{Law, Reads};
+use crate::physics::invariants::Invariant;
 use crate::trace::Trace;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
+
+/// The invariant. No bound: a bit is the same or not.
+pub const LAW: Law = Law {
+    invariant: Invariant::Rerun,
+    unit: "",
+    what: "a rerun gives the same bits of every event, final state and stop time",
+    reads: Reads::Rerun,
+};
 
 /// Bytes of a digest that are kept: no two of a few hundred runs share them by chance.
 const BYTES: usize = 8;
@@ -16,8 +26,8 @@ pub fn is_digest(text: &str) -> bool {
     text.len() == DIGITS && text.chars().all(digit)
 }
 
-/// 64 bits of the SHA-256 digest of events, final states, stop times and end, as hexadecimal digits.
-pub fn of(trace: &Trace) -> String {
+/// Equal digests mean equal bits: 64 bits of the SHA-256 digest of events, final states, stop times and end, as hexadecimal digits.
+pub fn digest(trace: &Trace) -> String {
     let mut hash = Sha256::new();
     for event in &trace.events {
         let name = |ball: usize| trace.balls.get(ball).map_or("", String::as_str);

@@ -1,0 +1,122 @@
+//! A run that is held, and what its trace says of the scheme that made it.
+//!
+//! The only place of this room where the work counters of a trace are read: what they are called is an engine's own affair.
+
+use crate::math::worse;
+use crate::scene::Scene;
+use crate::trace::Trace;
+
+/// A run that is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Run<'a> {
+    /// What was simulated.
+    pub scene: &'a Scene,
+    /// What came of it.
+    pub trace: &'a Trace,
+    /// Spacing of the engine's numbers just above 1.
+    pub ulp: f64,
+    /// True where the knots of events were kept, false where the trace has only both ends.
+    pub events: bool,
+}
+
+impl<'a> Run<'a> {
+    /// A run in f64 with its events.
+    pub fn of(scene: &'a Scene, trace: &'a Trace) -> Self {
+        Run {
+            scene,
+            trace,
+            ulp: f64::EPSILON,
+            events: true,
+        }
+    }
+
+    /// Length of a step, s; 0 for an engine that solves for its events.
+    pub fn step(&self) -> f64 {
+        self.trace.provenance.resolution
+    }
+
+    /// How often an impact may have rounded: exchanges where they are counted, else events, and one more for the motion between them.
+    pub fn impacts(&self) -> f64 {
+        let exchanges = self.count("exchanges").unwrap_or(0);
+        exchanges.max(self.trace.events.len() as u64) as f64 + 1.0
+    }
+
+    /// In how many parts of a step a contact is solved; 1 for an engine that does not divide its steps.
+    pub fn substeps(&self) -> f64 {
+        let substeps = match (self.count("substeps"), self.count("steps")) {
+            (Some(substeps), Some(steps)) if steps > 0 => (substeps / steps).max(1),
+            _ => 1,
+        };
+        substeps as f64
+    }
+
+    /// Most steps for which a pair stayed in contact; 1 where nobody counted.
+    pub fn contact_steps(&self) -> f64 {
+        let counted = self.count("longest_overlap_steps");
+        counted.map_or(1.0, |steps| steps.max(1) as f64)
+    }
+
+    /// The largest speed that was seen, length/s; the largest possible one where only the ends were.
+    pub fn fastest(&self) -> f64 {
+        if !self.events {
+            return self.scene.fastest();
+        }
+        (0..self.trace.paths.len())
+            .map(|ball| self.fastest_of(ball))
+            .fold(0.0, worse)
+    }
+
+    /// The same of one ball. Between knots a velocity is linear in time, so that its size is largest at one of them.
+    fn fastest_of(&self, ball: usize) -> f64 {
+        if !self.events {
+            return self.scene.fastest();
+        }
+        let knots = &self.trace.paths[ball].knots;
+        knots.iter().map(|k| k.state.speed()).fold(0.0, worse)
+    }
+
+    /// What the position of a ball is good to up to `time`, s; length.
+    ///
+    /// [`Scene::place_blur_within`] with the spacing of the engine's numbers, and the largest coordinate of scene and trace, heights
+    /// included.
+    pub fn rounding(&self, time: f64) -> f64 {
+        let knots = self.trace.paths.iter().flat_map(|path| &path.knots);
+        let extent = knots.fold(self.scene.largest_coordinate(), |largest, knot| {
+            worse(largest, knot.state.position.amax())
+        });
+        let coarser = 8.0 * (self.ulp - f64::EPSILON) * (extent + self.scene.fastest() * time);
+        self.scene.place_blur_within(extent, time) + coarser
+    }
+
+    /// How far rounding and a step carry balls: computed once for the bounds that are made of it.
+    pub fn reach(&self) -> Reach {
+        let step = (0..self.trace.paths.len()).map(|ball| self.fastest_of(ball) * self.step());
+        Reach {
+            rounding: self.rounding(self.trace.end_time),
+            step: step.collect(),
+        }
+    }
+
+    fn count(&self, name: &str) -> Option<u64> {
+        self.trace.counters.get(name).copied()
+    }
+}
+
+/// How far rounding and a step carry balls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// What the position of a ball is good to at the end of the run, length.
+    pub rounding: f64,
+    /// Largest speed of each ball times the step, length.
+    pub step: Vec<f64>,
+}
+
+impl Reach {
+    /// Part by which a bound may be missed because it is itself rounded.
+    const ROUNDED: f64 = 1e-9;
+
+    /// Rounding and so much more, length.
+    pub fn and(&self, more: f64) -> f64 {
+        (self.rounding + more) * (1.0 + Reach::ROUNDED)
+    }
+}
