@@ -272,7 +272,7 @@ impl Case<'_> {
             }
             Invariant::Bounds => {
                 let bound = match trace.provenance.resolution {
-                    0.0 => scene.place_blur(),
+                    0.0 => scene.position_uncertainty(),
                     // walls are tested before balls move
                     dt => scene.fastest() * dt,
                 };
@@ -291,7 +291,7 @@ impl Case<'_> {
             Invariant::Overlap => self.within(
                 "overlap by parry",
                 deepest_overlap(scene, trace),
-                2.0 * scene.place_blur(),
+                2.0 * scene.position_uncertainty(),
             ),
             Invariant::EverythingStops => match trace.ending {
                 Ending::Rest => Ok(()),

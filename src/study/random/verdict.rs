@@ -3,7 +3,7 @@
 //!
 //! Bounds follow from the scheme that a trace states by its `resolution` `h`: 0 for an engine that solves for its events, else its step.
 //!
-//! - *Rounding*: what the place of a ball is good to ([`Scene::place_blur_within`]), with the largest coordinate of scene and
+//! - *Rounding*: what the place of a ball is good to ([`Scene::position_uncertainty_within`]), with the largest coordinate of scene and
 //!   trace, heights included.
 //! - *Outside*: rounding, and `|v| h`: a step moves a ball after it has looked at the cushions. `|v|` is the largest speed of the ball
 //!   at any knot. Between knots a velocity is linear in time, so that its size is largest at one of them.
@@ -146,7 +146,7 @@ fn rounding(scene: &Scene, trace: &Trace, time: f64) -> f64 {
     let extent = knots.fold(scene.largest_coordinate(), |largest, knot| {
         worse(largest, knot.state.position.amax())
     });
-    scene.place_blur_within(extent, time)
+    scene.position_uncertainty_within(extent, time)
 }
 
 fn not_finite(trace: &Trace) -> Option<Fault> {
