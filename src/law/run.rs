@@ -77,7 +77,7 @@ impl<'a> Run<'a> {
 
     /// What the position of a ball is good to up to `time`, s; length.
     ///
-    /// [`Scene::place_blur_within`] with the spacing of the engine's numbers, and the largest coordinate of scene and trace, heights
+    /// [`Scene::position_uncertainty_within`] with the spacing of the engine's numbers, and the largest coordinate of scene and trace, heights
     /// included.
     pub fn rounding(&self, time: f64) -> f64 {
         let knots = self.trace.paths.iter().flat_map(|path| &path.knots);
@@ -85,7 +85,7 @@ impl<'a> Run<'a> {
             worse(largest, knot.state.position.amax())
         });
         let coarser = 8.0 * (self.ulp - f64::EPSILON) * (extent + self.scene.fastest() * time);
-        self.scene.place_blur_within(extent, time) + coarser
+        self.scene.position_uncertainty_within(extent, time) + coarser
     }
 
     /// How far rounding and a step carry balls: computed once for the bounds that are made of it.

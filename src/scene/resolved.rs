@@ -217,12 +217,12 @@ impl Scene {
     /// [`Scene::touching`], and 8 ulp of the longest way that a ball can go: the time of an event is one number, and so is a
     /// velocity. A speed that is noise (8 ulp of the fastest possible) moves a ball by that much until the end, and two ulp of the
     /// clock do less.
-    pub fn place_blur(&self) -> f64 {
-        self.place_blur_within(self.largest_coordinate(), self.duration)
+    pub fn position_uncertainty(&self) -> f64 {
+        self.position_uncertainty_within(self.largest_coordinate(), self.duration)
     }
 
     /// The same of a run up to `time`, s, in which no coordinate is larger than `extent`, length.
-    pub fn place_blur_within(&self, extent: f64, time: f64) -> f64 {
+    pub fn position_uncertainty_within(&self, extent: f64, time: f64) -> f64 {
         let way = self.fastest() * time;
         1e-12 * self.smallest_radius() + 8.0 * f64::EPSILON * (extent + way)
     }

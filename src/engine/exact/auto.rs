@@ -80,7 +80,7 @@ fn judged<T: Real>(
     record: Record,
     limits: &Limits<'_>,
 ) -> Trace {
-    let scene = solver.scene;
+    let scene = solver.balls().scene();
     let mut trace = solver.run(provenance, record, limits);
     certify_run(scene, &mut trace, T::ULP, limits);
     trace.counters.insert(BITS.to_owned(), u64::from(T::BITS));

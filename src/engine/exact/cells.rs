@@ -19,7 +19,7 @@ pub const ENOUGH_BALLS: usize = 20;
 const WIDTH: f64 = 1.125;
 
 /// The slack in units of what positions are good to, where that is more.
-const BLURS: f64 = 256.0;
+const UNCERTAINTIES: f64 = 256.0;
 
 /// Squares for each ball, at most.
 const SQUARES: usize = 2;
@@ -50,10 +50,10 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Empty cells for balls at `positions`. `contact`: the largest distance of two centres at contact; `blur`: what positions
-    /// are good to; lengths.
-    pub fn over(positions: &[[f64; 2]], contact: f64, blur: f64) -> Self {
-        let least = (WIDTH * contact).max(contact + BLURS * blur);
+    /// Empty cells for balls at `positions`. `contact`: the largest distance of two centres at contact; `uncertainty`: what
+    /// positions are good to; lengths.
+    pub fn over(positions: &[[f64; 2]], contact: f64, uncertainty: f64) -> Self {
+        let least = (WIDTH * contact).max(contact + UNCERTAINTIES * uncertainty);
         let grid = Grid::over(positions, least, SQUARES * positions.len());
         let n = positions.len();
         Cells {

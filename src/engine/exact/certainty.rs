@@ -8,12 +8,11 @@
 //! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
 //! that could not change what is said.
 
-use super::flight::Flight;
-use super::predict::{Near, Notes, View};
+use super::kinematics::Kinematics;
+use super::predict::{Encounter, Row};
 use super::simultaneous::Cluster;
 use super::spin::Moving;
 use super::tangent::{Replay, Script};
-use super::world::World;
 use crate::engine::Limits;
 use crate::math::random::Draws;
 use crate::scene::{Scene, Simultaneous};
@@ -90,7 +89,7 @@ fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certain
             // what else there is at this instant makes no difference
             certainty.margin = after;
         }
-        table.pass(index, event);
+        table.pass(index);
         table.work.events += 1;
         found.push(certainty);
     }
@@ -125,6 +124,8 @@ struct Work {
     looks: u64,
     /// Clusters of which every order was tried.
     searches: u64,
+    /// Searches for the root of a contact.
+    root_searches: u64,
 }
 
 /// The run with the roundings of every event.
@@ -199,35 +200,28 @@ impl<'a> Probes<'a> {
 /// Where every ball is between two events, in f64.
 struct Table<'a> {
     script: &'a Script<'a>,
-    world: World<f64>,
-    flights: Vec<Flight<f64>>,
-    versions: Vec<u32>,
-    notes: Notes<f64>,
+    balls: Kinematics<'a, f64>,
     work: Work,
 }
 
 impl<'a> Table<'a> {
     fn new(script: &'a Script<'a>) -> Self {
-        let world = World::<f64>::new(script.scene);
-        let (flights, _) = world.first_flights(script.scene);
         Table {
             script,
-            world,
-            versions: vec![0; flights.len()],
-            flights,
-            notes: Notes::default(),
+            balls: Kinematics::new(script.scene),
             work: Work::default(),
         }
     }
 
     /// Margin and condition of the event that is next, seen from before it. `after`: s to the next later event of its balls.
     fn certainty(&mut self, event: &Event, after: Option<f64>) -> Certainty {
+        self.balls.advance(event.time);
         let (a, b) = event.kind.balls();
         let known = encounter(event.kind);
         let margin = match event.kind {
             EventKind::BallBall(..) | EventKind::BallCushion(..) => {
                 let balls = std::iter::once(a).chain(b);
-                let next = balls.map(|ball| self.next(ball, event.time, known));
+                let next = balls.map(|ball| self.next(ball, known));
                 Some(next.fold(f64::INFINITY, f64::min))
             }
             _ => after,
@@ -239,26 +233,26 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Time until something else happens to a ball that goes on as it does, s.
-    fn next(&mut self, ball: usize, now: f64, known: Option<Near>) -> f64 {
-        let view = View {
-            world: &self.world,
-            flights: &self.flights,
-            versions: &self.versions,
-        };
-        let all = 0..self.flights.len();
+    /// Time until something else than the encounter at hand happens to a ball that goes on as it does, s.
+    fn next(&mut self, ball: usize, known: Option<Encounter>) -> f64 {
+        let all = 0..self.balls.count();
         self.work.looks += all.len() as u64;
-        let next = view.next_event(ball, now, all, known, &mut self.notes);
+        let row = Row::of(&self.balls, ball);
+        let row = match known {
+            None => row,
+            Some(encounter) => row.without(encounter),
+        };
+        let next = row.next_event(all, None, &mut self.work.root_searches);
         let end = match self.script.trace.ending {
             // an event can also fall out of the run
             Ending::Duration => self.script.trace.end_time,
             _ => f64::INFINITY,
         };
-        (next.time.min(end) - now).max(0.0)
+        (next.time.min(end) - self.balls.now()).max(0.0)
     }
 
     fn condition(&self, event: &Event) -> Option<f64> {
-        let state = |ball: usize| self.flights[ball].at(event.time);
+        let state = |ball: usize| self.balls.at(ball);
         let (along, normal) = match event.kind {
             EventKind::BallBall(a, b) => {
                 let ((p, v), (q, w)) = (state(a as usize), state(b as usize));
@@ -285,20 +279,20 @@ impl<'a> Table<'a> {
             // the convention takes them all at once
             return false;
         }
-        if self.flights.len() > FEW_BALLS && window > self.script.trace.end_time {
+        if self.balls.count() > FEW_BALLS && window > self.script.trace.end_time {
             return true;
         }
         let looks = Cell::new(0);
         let state = |ball: usize| {
             looks.set(looks.get() + 1);
-            self.flights[ball].at(event.time)
+            self.balls.at(ball)
         };
-        let everyone = |_: usize| (0..self.flights.len()).collect();
+        let everyone = |_: usize| (0..self.balls.count()).collect();
         let (a, b) = event.kind.balls();
         let seeds: Vec<usize> = std::iter::once(a).chain(b).collect();
         self.work.searches += 1;
         let cluster = Cluster::around(
-            &self.world,
+            self.balls.world(),
             &seeds,
             &state,
             &everyone,
@@ -310,31 +304,19 @@ impl<'a> Table<'a> {
     }
 
     /// Takes the balls of an event to its far side.
-    fn pass(&mut self, index: usize, event: &Event) {
+    fn pass(&mut self, index: usize) {
         for (ball, state) in self.script.far(index) {
-            let moving = Moving::lifted(state);
-            self.flights[ball] = match &self.world.rotation {
-                None => {
-                    let Moving {
-                        position, velocity, ..
-                    } = moving;
-                    Flight::new(self.world.ground, event.time, position, velocity)
-                }
-                Some(rotation) => {
-                    rotation
-                        .depart(self.world.radius[ball], event.time, moving)
-                        .0
-                }
-            };
+            let course = self.balls.course(ball, Moving::lifted(state));
+            self.balls.set_off(ball, &course);
         }
     }
 }
 
 /// The encounter that an event is.
-fn encounter(kind: EventKind) -> Option<Near> {
+fn encounter(kind: EventKind) -> Option<Encounter> {
     match kind {
-        EventKind::BallBall(a, b) => Some(Near::Pair(a as usize, b as usize)),
-        EventKind::BallCushion(a, side) => Some(Near::Cushion(a as usize, side)),
+        EventKind::BallBall(a, b) => Some(Encounter::Pair(a as usize, b as usize)),
+        EventKind::BallCushion(a, side) => Some(Encounter::Cushion(a as usize, side)),
         _ => None,
     }
 }

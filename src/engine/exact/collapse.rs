@@ -33,11 +33,11 @@ impl<T: Real> Streaks<T> {
     }
 
     /// Counts an impact of `balls` at time `now`, s; answers, in one sentence, when one of them has been hit too often.
-    pub fn count(&mut self, balls: &[usize], now: T) -> Option<String> {
+    pub fn count(&mut self, balls: impl IntoIterator<Item = usize>, now: T) -> Option<String> {
         let resolution = now * T::lift(RESOLUTION * T::ULP);
         let mut collapsed = None;
         for ball in balls {
-            let (since, count) = &mut self.balls[*ball];
+            let (since, count) = &mut self.balls[ball];
             if now - *since > resolution {
                 *since = now;
                 *count = 0;
@@ -75,7 +75,7 @@ mod tests {
             // all but rounding of the geometric series is over after this many impacts
             let until_still = (f64::EPSILON.ln() / f64::ln(e)) as usize;
             let most = until_still + 2 * MOST_IMPACTS_AT_ONCE as usize;
-            let found = bounces(e, most).position(|now| streaks.count(&[1], now).is_some());
+            let found = bounces(e, most).position(|now| streaks.count([1], now).is_some());
             let Some(impacts) = found else {
                 panic!("e {e}: {most} impacts and no end");
             };
@@ -145,7 +145,7 @@ mod tests {
             let mut streaks = Streaks::<f64>::new(3);
             let counted = impacts
                 .iter()
-                .position(|(now, first)| streaks.count(&[*first, first + 1], *now).is_some());
+                .position(|(now, first)| streaks.count([*first, first + 1], *now).is_some());
             assert_eq!(
                 counted.is_some(),
                 collapses,
@@ -169,12 +169,12 @@ mod tests {
         let mut streaks = Streaks::<f64>::new(1);
         for i in 0..5 * MOST_IMPACTS_AT_ONCE {
             let now = 1.0 + f64::from(i) * 1e-12;
-            assert_eq!(streaks.count(&[0], now), None, "impact {i}");
+            assert_eq!(streaks.count([0], now), None, "impact {i}");
         }
         // as many as it takes, but of different balls
         let mut streaks = Streaks::<f64>::new(MOST_IMPACTS_AT_ONCE as usize + 2);
         for ball in 0..MOST_IMPACTS_AT_ONCE as usize + 2 {
-            assert_eq!(streaks.count(&[ball], 1.0), None);
+            assert_eq!(streaks.count([ball], 1.0), None);
         }
     }
 }

@@ -1,16 +1,16 @@
 //! Engine `exact`: event-driven, in closed form; the reference that accuracy is measured against.
 //!
-//! - [`flight`]: a ball between two events, for any cloth.
+//! - [`flight`], `spin`: a ball between two events, for any cloth, and how it turns meanwhile, where the scene calls for that.
 //! - `world`: what stays the same during a run, and what its scalar can tell apart.
-//! - `predict`: the next event of one ball, by the root finders of `math::first_root`.
-//! - `queue`: which ball is next; `cells`: who may meet whom, where there are many balls.
-//! - `spin`: how it turns meanwhile, where the scene calls for that.
-//! - `solve`: the event loop; `impact`: what an impact does; `phases`: what else ends a flight; `record`: what is written down of it.
-//! - `doubt`, `simultaneous`: whether something else is in reach, and whether the order of impacts at one instant matters;
-//!   `reflections`, `shock`: what becomes of such an instant where the scene names a convention.
+//! - `kinematics`: what every ball does, and the clock; the only place where a ball changes its course.
+//! - `predict`: the next event of one ball, by the root finders of `math::first_root`; `queue`: which ball is next; `cells`: who may
+//!   meet whom, where there are many balls; `agenda`: the three together.
+//! - `impact`, `phases`: what an event does, as a value that is decided before it is applied; `ambiguity`, `simultaneous`: whether
+//!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`, `reflections`: what
+//!   becomes of such an instant where the scene names a convention; `collapse`: when impacts without time passing are too many to be finite.
+//! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
 //!   `sensitivity` (growth, and what moves the balls) and, with a second precision, `horizon`; `auto` goes to more digits by it.
-//! - `collapse`: when impacts without time passing are too many to be finite.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
@@ -19,22 +19,25 @@
 //! Everything is generic over the scalar; `solution` answers in it, a trace in f64. Where the scalar cannot tell what happens, the run ends and
 //! says so; it never chooses silently.
 
+mod agenda;
+mod ambiguity;
 mod auto;
 mod cells;
 mod certainty;
+mod cluster_impact;
 mod collapse;
-mod doubt;
 pub mod flight;
 pub mod horizon;
 mod impact;
+mod journal;
+mod kinematics;
 mod phases;
 mod predict;
 mod queue;
-mod record;
+mod range;
 mod reflections;
 pub mod sensitivity;
 mod sheet;
-mod shock;
 mod simultaneous;
 mod solution;
 mod solve;
@@ -42,9 +45,9 @@ mod spin;
 mod tangent;
 mod world;
 
+pub use agenda::Partners;
 pub use certainty::certify;
 pub use solution::{Solution, final_positions, solve};
-pub use solve::Partners;
 
 use super::setting::{knobs_of, parameters};
 use super::{About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusal, Run, Setting};
@@ -300,11 +303,9 @@ struct Prepared<'a, T: Real> {
 
 impl<'a, T: Real> Prepared<'a, T> {
     fn new(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Self {
-        let mut solver = Solver::<T>::new(scene);
-        solver.partners = settings.partners;
         Prepared {
             scene,
-            solver,
+            solver: Solver::new(scene).looking_at(settings.partners),
             provenance,
             precision: settings.precision,
         }
@@ -317,8 +318,8 @@ impl<'a, T: Real> Prepared<'a, T> {
 
 impl<T: Real> Run for Prepared<'_, T> {
     fn inside(&self) -> Inside {
-        let world = &self.solver.world;
-        let states = self.solver.states();
+        let balls = self.solver.balls();
+        let (world, states) = (balls.world(), balls.first_states());
         let balls: Vec<Ball> = (0..states.len())
             .map(|i| Ball {
                 id: self.scene.balls[i].id.clone(),

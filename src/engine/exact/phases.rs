@@ -1,127 +1,89 @@
-//! What ends a flight besides an impact: a ball stops, begins to roll, has spun down, or falls into a pocket.
+//! What ends a phase besides an impact, as a value: a ball stops, begins to roll, or has spun down.
 
-use super::flight::{Flight, Phase};
-use super::queue::Candidate;
-use super::solve::Loop;
+use super::flight::Phase;
+use super::kinematics::{Course, Kinematics};
 use super::spin::{Moving, Spin, Turn};
 use crate::math::Real;
-use crate::trace::{Ending, EventKind};
+use crate::physics::State;
 
-impl<T: Real> Loop<'_, T> {
+/// What happens to a ball whose phase ends now.
+#[derive(Clone, Debug)]
+pub struct PhaseEnd<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// How it goes on.
+    pub course: Course<T>,
+    /// Its near side.
+    pub before: State,
+    /// Its far side.
+    pub after: State,
+    /// Its spin about the vertical ends.
+    pub unspun: bool,
+    /// It begins to roll.
+    pub rolls: bool,
+    /// Its centre comes to rest.
+    pub stops: bool,
+}
+
+impl<T: Real> PhaseEnd<T> {
+    /// The end of the phase of `ball`, which is now.
+    #[inline]
+    pub fn of(balls: &Kinematics<'_, T>, ball: usize) -> Self {
+        if balls.rotates() {
+            PhaseEnd::turning(balls, ball)
+        } else {
+            PhaseEnd::sliding(balls, ball)
+        }
+    }
+
     /// The centre of a ball that does not turn comes to rest.
-    #[inline(never)]
-    pub fn phase_end(&mut self, ball: usize) -> Option<Ending> {
-        let flight = self.solver.flights[ball];
-        let zero = [T::zero(); 2];
-        let position = match flight.phase {
-            Phase::Slide => flight.rest_position(),
-            Phase::Free | Phase::Rest | Phase::Curve => flight.at(self.now).0,
+    #[inline]
+    fn sliding(balls: &Kinematics<'_, T>, ball: usize) -> Self {
+        let was = balls.flight(ball);
+        let position = match was.phase {
+            Phase::Slide => was.rest_position(),
+            Phase::Free | Phase::Rest | Phase::Curve => balls.place(ball),
         };
-        self.solver.flights[ball] = Flight::new(self.solver.world.ground, self.now, position, zero);
-        self.versions[ball] = self.versions[ball].wrapping_add(1);
-        self.moving -= 1;
-        self.count_event();
-        let at_rest = self.solver.state(ball, position, zero, self.now);
-        let time = self.now.to_f64();
-        self.recorder.stop(ball, time, &at_rest, &at_rest);
-        self.predict_after_stop(ball, &flight)
-    }
-
-    /// Predicts what comes after a stop, and whether something was within reach of it.
-    fn predict_after_stop(&mut self, ball: usize, flight: &Flight<T>) -> Option<Ending> {
-        self.notes.watch = Some(self.solver.world.blur.length);
-        self.notes.near.clear();
-        self.predict(ball, None);
-        self.notes.watch = None;
-        if self.notes.near.is_empty() {
-            return None;
-        }
-        self.stop_in_doubt(ball, flight)
-    }
-
-    /// The phase of a ball that rotates ends: it rolls, stops, or has no spin about the vertical any more.
-    #[cold]
-    #[inline(never)]
-    pub fn turn_end(&mut self, ball: usize) -> Option<Ending> {
-        let rotation = self.solver.world.rotation?;
-        let (flight, spin) = (self.solver.flights[ball], self.solver.spins[ball]);
-        let radius = self.solver.world.radius[ball];
-        let next = rotation.turned(radius, &flight, &spin);
-        let before = self
-            .solver
-            .state(ball, next.position, flight.at(self.now).1, self.now);
-        self.set_off(ball, next);
-        let Moving {
+        let at_rest = Moving {
             position,
-            velocity,
-            spin: turning,
-        } = next;
-        let after = self.solver.state_with(ball, position, velocity, turning);
-        let time = self.now.to_f64();
-        let stops = flight.moves() && !self.solver.flights[ball].moves();
-        let slides = self.solver.spins[ball].slides;
-        let mut near = &before;
-        if spin.turn == Turn::Unspun {
-            self.count_event();
-            self.recorder
-                .phase(ball, time, near, &after, EventKind::SpinEnd(ball as u32));
-            // what else ends at this instant finds the ball on the far side
-            near = &after;
+            velocity: [T::zero(); 2],
+            spin: [T::zero(); 3],
+        };
+        let state = balls.state(ball, position, at_rest.velocity, at_rest.spin);
+        PhaseEnd {
+            ball,
+            course: balls.course(ball, at_rest),
+            before: state,
+            after: state,
+            unspun: false,
+            rolls: false,
+            stops: true,
         }
-        if spin.slides && !slides && !stops {
-            self.count_event();
-            let rolls = EventKind::SlideToRoll(ball as u32);
-            self.recorder.phase(ball, time, near, &after, rolls);
-        }
-        if !stops {
-            self.predict(ball, None);
-            return None;
-        }
-        self.count_event();
-        self.recorder.stop(ball, time, near, &after);
-        self.predict_after_stop(ball, &flight)
     }
 
-    /// A ball leaves play.
+    /// The phase of a ball that turns ends: it rolls, stops, or has no spin about the vertical any more.
     #[cold]
     #[inline(never)]
-    pub fn pocket(&mut self, ball: usize, pocket: u32) -> Option<Ending> {
-        let (position, velocity) = self.solver.flights[ball].at(self.now);
-        let last = self.solver.state(ball, position, velocity, self.now);
-        self.moving -= usize::from(self.solver.is_active(ball));
-        // from here on it is nowhere, and nothing meets it
-        let nowhere = [T::lift(f64::INFINITY); 2];
-        let zero = T::zero();
-        self.solver.flights[ball] = Flight {
-            start: self.now,
-            end: T::lift(f64::INFINITY),
-            position: nowhere,
-            velocity: [zero; 2],
-            acceleration: [zero; 2],
-            fastest: zero,
-            phase: Phase::Rest,
+    fn turning(balls: &Kinematics<'_, T>, ball: usize) -> Self {
+        let was = balls.course_of(ball);
+        let spin = was.spin.unwrap_or_else(Spin::none);
+        let next = match &balls.world().rotation {
+            Some(rotation) => rotation.turned(balls.world().radius[ball], &was.flight, &spin),
+            // as it is, where nothing turns
+            None => balls.moving(ball),
         };
-        if let Some(spin) = self.solver.spins.get_mut(ball) {
-            *spin = Spin::none();
+        let (_, velocity) = balls.at(ball);
+        let course = balls.course(ball, next);
+        let slides = course.spin.as_ref().is_some_and(|spin| spin.slides);
+        let stops = was.flight.moves() && !course.flight.moves();
+        PhaseEnd {
+            ball,
+            before: balls.state(ball, next.position, velocity, balls.spin_now(ball)),
+            after: balls.state(ball, next.position, next.velocity, next.spin),
+            unspun: spin.turn == Turn::Unspun,
+            rolls: spin.slides && !slides && !stops,
+            stops,
+            course,
         }
-        self.versions[ball] = self.versions[ball].wrapping_add(1);
-        self.queue.set(ball, Candidate::none());
-        self.count_event();
-        self.recorder.pocket(ball, self.now.to_f64(), &last, pocket);
-        None
-    }
-
-    /// Puts a ball that rotates on its way from here and now.
-    pub fn set_off(&mut self, ball: usize, moving: Moving<T>) {
-        let Some(rotation) = &self.solver.world.rotation else {
-            return;
-        };
-        let radius = self.solver.world.radius[ball];
-        let (flight, spin) = rotation.depart(radius, self.now, moving);
-        self.moving -= usize::from(self.solver.is_active(ball));
-        self.solver.flights[ball] = flight;
-        self.solver.spins[ball] = spin;
-        self.moving += usize::from(self.solver.is_active(ball));
-        self.versions[ball] = self.versions[ball].wrapping_add(1);
     }
 }

@@ -6,8 +6,8 @@
 //! (time, [`What`]).
 
 use super::flight::{Flight, Phase};
+use super::kinematics::Kinematics;
 use super::queue::{Candidate, What};
-use super::world::World;
 use crate::math::Real;
 use crate::math::first_root::{
     Approach, Contact, first_contact_by, first_crossing, straight_contact,
@@ -17,111 +17,192 @@ use crate::physics::Side;
 /// Ulps of the best time so far by which a search goes on: rounding must not hide what is as early.
 const BEYOND: f64 = 4.0;
 
-/// What a prediction reads.
-pub struct View<'a, T> {
-    /// The unchanging part.
-    pub world: &'a World<T>,
-    /// All flights.
-    pub flights: &'a [Flight<T>],
-    /// Changes of every ball so far.
-    pub versions: &'a [u32],
-}
-
-/// What a prediction writes besides its answer.
-#[derive(Clone, Debug, Default)]
-pub struct Notes<T> {
-    /// Root searches so far.
-    pub root_calls: u64,
-    /// Gap below which a neighbour is noted, length; `None`: none is. Only for a ball whose flight begins now.
-    pub watch: Option<T>,
-    /// The partner that is not noted.
-    pub known: Option<Near>,
-    /// Neighbours closer than that.
-    pub near: Vec<Near>,
-}
-
-impl<T> Notes<T> {
-    #[cold]
-    fn add(&mut self, near: Near) {
-        if self.known != Some(near) {
-            self.near.push(near);
-        }
-    }
-}
-
-/// A ball with something else in its reach.
+/// Who meets whom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Near {
+pub enum Encounter {
     /// Two balls.
     Pair(usize, usize),
     /// A ball and a cushion.
     Cushion(usize, Side),
 }
 
-impl Near {
-    /// The other ball of a pair with `ball` in it.
-    fn partner_of(self, ball: usize) -> Option<usize> {
-        match self {
-            Near::Pair(a, b) if a == ball => Some(b),
-            Near::Pair(a, b) if b == ball => Some(a),
-            Near::Pair(..) | Near::Cushion(..) => None,
+/// A lookout for what is near: encounters closer than a given gap, noted by predictions of balls whose courses begin now.
+#[derive(Debug)]
+pub struct Watch<T> {
+    reach: T,
+    known: Option<Encounter>,
+    found: Vec<Encounter>,
+}
+
+impl<T: Real> Watch<T> {
+    /// Notes what is closer than `reach`, length, but for the encounter that is known.
+    pub fn new(reach: T, known: Option<Encounter>) -> Self {
+        Watch {
+            reach,
+            known,
+            found: Vec::new(),
+        }
+    }
+
+    /// The gap below which something is near, length.
+    pub fn reach(&self) -> T {
+        self.reach
+    }
+
+    /// True if nothing is near.
+    #[inline]
+    pub fn is_clear(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    /// What is near, in scene order.
+    pub fn found(mut self) -> Vec<Encounter> {
+        self.found.sort_unstable();
+        self.found
+    }
+
+    #[cold]
+    fn note(&mut self, near: Encounter) {
+        if self.known != Some(near) {
+            self.found.push(near);
         }
     }
 }
 
-impl<T: Real> View<'_, T> {
-    /// The next event of `ball` among its own and those with `partners`, but for the encounter `except`. Nothing beyond the
-    /// duration, and nothing before `now`.
+/// Whose next event is asked for, and on which course.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a, T: Real> {
+    balls: &'a Kinematics<'a, T>,
+    ball: usize,
+    flight: &'a Flight<T>,
+    /// The other ball of the impact at hand; the ball itself where there is none.
+    mate: usize,
+    /// The flight on which that one sets off as well; `None` if it is left out: the encounter of the two belongs to its own row.
+    ahead: Option<&'a Flight<T>>,
+    /// The cushion that is left out.
+    except: Option<Side>,
+}
+
+impl<'a, T: Real> Row<'a, T> {
+    /// The row of a ball that goes on as it does.
+    #[inline]
+    pub fn of(balls: &'a Kinematics<'a, T>, ball: usize) -> Self {
+        Row::setting_off(balls, ball, balls.flight(ball))
+    }
+
+    /// The row of a ball that would set off now on `flight`.
+    #[inline]
+    pub fn setting_off(balls: &'a Kinematics<'a, T>, ball: usize, flight: &'a Flight<T>) -> Self {
+        Row {
+            balls,
+            ball,
+            flight,
+            mate: ball,
+            ahead: None,
+            except: None,
+        }
+    }
+
+    /// The same row with another ball that sets off at the same time.
+    #[inline]
+    pub fn with(self, mate: usize, flight: &'a Flight<T>) -> Self {
+        Row {
+            mate,
+            ahead: Some(flight),
+            ..self
+        }
+    }
+
+    /// The same row but for what happens with another ball.
+    #[inline]
+    pub fn without_ball(self, mate: usize) -> Self {
+        Row {
+            mate,
+            ahead: None,
+            ..self
+        }
+    }
+
+    /// The same row but for an encounter.
+    pub fn without(self, encounter: Encounter) -> Self {
+        match encounter {
+            Encounter::Pair(a, b) if a == self.ball => self.without_ball(b),
+            Encounter::Pair(a, b) if b == self.ball => self.without_ball(a),
+            Encounter::Cushion(a, side) if a == self.ball => Row {
+                except: Some(side),
+                ..self
+            },
+            Encounter::Pair(..) | Encounter::Cushion(..) => self,
+        }
+    }
+
+    /// All balls.
+    #[inline]
+    pub fn balls(&self) -> &'a Kinematics<'a, T> {
+        self.balls
+    }
+
+    /// Whose row it is.
+    #[inline]
+    pub fn ball(&self) -> usize {
+        self.ball
+    }
+
+    /// The course that the ball is on.
+    #[inline]
+    pub fn flight(&self) -> &'a Flight<T> {
+        self.flight
+    }
+
+    /// The next event among its own and those with `partners`. Nothing beyond the duration, and nothing before now.
     pub fn next_event(
         &self,
-        ball: usize,
-        now: T,
         partners: impl IntoIterator<Item = usize>,
-        except: Option<Near>,
-        notes: &mut Notes<T>,
+        watch: Option<&mut Watch<T>>,
+        searches: &mut u64,
     ) -> Candidate<T> {
-        let mut best = self.end(ball);
-        self.among(ball, partners, except, &mut best, notes);
-        best.time = best.time.at_least(now);
+        let mut best = self.end();
+        self.among(partners, &mut best, watch, searches);
+        best.time = best.time.at_least(self.balls.now());
         best
     }
 
-    /// The end of the phase of `ball`; `Nothing` at the end of the run if that comes first.
+    /// The end of the phase; `Nothing` at the end of the run if that comes first.
     #[inline]
-    pub fn end(&self, ball: usize) -> Candidate<T> {
-        let flight = &self.flights[ball];
-        if flight.end <= self.world.duration {
+    pub fn end(&self) -> Candidate<T> {
+        let duration = self.balls.world().duration;
+        if self.flight.end <= duration {
             Candidate {
-                time: flight.end,
-                what: What::End(ball as u32),
+                time: self.flight.end,
+                what: What::End(self.ball as u32),
                 stamp: 0,
             }
         } else {
             Candidate {
-                time: self.world.duration,
+                time: duration,
                 ..Candidate::none()
             }
         }
     }
 
-    /// Replaces `best` by an event of `ball` with a cushion or one of `partners` that precedes it.
+    /// Replaces `best` by an event with a cushion, a pocket or one of `partners` that precedes it. `searches`: root searches so far.
     #[inline]
     pub fn among(
         &self,
-        ball: usize,
         partners: impl IntoIterator<Item = usize>,
-        except: Option<Near>,
         best: &mut Candidate<T>,
-        notes: &mut Notes<T>,
+        mut watch: Option<&mut Watch<T>>,
+        searches: &mut u64,
     ) {
-        if self.flights[ball].moves() {
-            self.cushions(ball, except, best, notes);
-            if !self.world.pockets.is_empty() {
-                self.pockets(ball, best, notes);
+        let world = self.balls.world();
+        if self.flight.moves() {
+            self.cushions(best, watch.as_deref_mut(), searches);
+            if !world.pockets.is_empty() {
+                self.pockets(best, searches);
             }
         }
-        if self.world.contact.is_some() {
-            self.balls(ball, partners, except, best, notes);
+        if world.contact.is_some() {
+            self.partners(partners, best, watch, searches);
         }
         if best.what == What::Nothing {
             *best = Candidate::none();
@@ -130,43 +211,43 @@ impl<T: Real> View<'_, T> {
 
     fn cushions(
         &self,
-        ball: usize,
-        except: Option<Near>,
         best: &mut Candidate<T>,
-        notes: &mut Notes<T>,
+        mut watch: Option<&mut Watch<T>>,
+        searches: &mut u64,
     ) {
-        let Some([x0, x1, y0, y1]) = self.world.within_all_reach else {
+        let world = self.balls.world();
+        let Some([x0, x1, y0, y1]) = world.within_all_reach else {
             return;
         };
-        let flight = &self.flights[ball];
-        let blur = &self.world.blur;
+        let (ball, flight) = (self.ball, self.flight);
+        let blur = &world.blur;
         // mostly no cushion is within what is left of the way to the best so far
         let way = flight.fastest * (later(best.time) - flight.start) + blur.length * T::lift(4.0);
-        let way = notes.watch.map_or(way, |watch| way.at_least(watch));
+        let way = watch
+            .as_deref()
+            .map_or(way, |watch| way.at_least(watch.reach));
         let [x, y] = flight.position;
         if x - x0 > way && x1 - x > way && y - y0 > way && y1 - y > way {
             return;
         }
-        let Some(reach) = self.world.reach.get(ball) else {
+        let Some(reach) = world.reach.get(ball) else {
             return;
         };
         for side in Side::ALL {
             let axis = side.axis();
             let outward = |x: T| if side.sign() < 0 { -x } else { x };
             let gap = outward(reach[side as usize] - flight.position[axis]);
-            if let Some(watch) = notes.watch
-                && gap <= watch
+            if let Some(watch) = watch.as_deref_mut()
+                && gap <= watch.reach
             {
-                notes.add(Near::Cushion(ball, side));
+                watch.note(Encounter::Cushion(ball, side));
             }
             let speed = outward(flight.velocity[axis]);
             let acceleration = outward(flight.acceleration[axis]);
-            if (speed <= T::zero() && acceleration <= T::zero())
-                || except == Some(Near::Cushion(ball, side))
-            {
+            if (speed <= T::zero() && acceleration <= T::zero()) || self.except == Some(side) {
                 continue;
             }
-            notes.root_calls += 1;
+            *searches += 1;
             let limit = later(best.time) - flight.start;
             let found = first_crossing(gap, speed, acceleration, limit, blur);
             // x before y in a corner; a cushion before the end of a phase
@@ -180,9 +261,9 @@ impl<T: Real> View<'_, T> {
     }
 
     #[cold]
-    fn pockets(&self, ball: usize, best: &mut Candidate<T>, notes: &mut Notes<T>) {
-        let flight = &self.flights[ball];
-        for (pocket, [x, y, radius]) in self.world.pockets.iter().enumerate() {
+    fn pockets(&self, best: &mut Candidate<T>, searches: &mut u64) {
+        let (world, flight) = (self.balls.world(), self.flight);
+        for (pocket, [x, y, radius]) in world.pockets.iter().enumerate() {
             let approach = Approach {
                 p: [*x - flight.position[0], *y - flight.position[1]],
                 v: flight.velocity.map(|v| -v),
@@ -190,11 +271,11 @@ impl<T: Real> View<'_, T> {
                 distance: *radius,
             };
             let limit = later(best.time) - flight.start;
-            notes.root_calls += 1;
+            *searches += 1;
             let end = flight.end - flight.start;
-            let found = first_contact_by(&approach, end, limit, &self.world.blur);
+            let found = first_contact_by(&approach, end, limit, &world.blur);
             best.or(flight.start, 0, found, || {
-                let (ball, pocket) = (ball as u32, pocket as u32);
+                let (ball, pocket) = (self.ball as u32, pocket as u32);
                 (
                     What::Pocket(ball, pocket),
                     What::UnclearPocket(ball, pocket),
@@ -203,23 +284,26 @@ impl<T: Real> View<'_, T> {
         }
     }
 
-    fn balls(
+    fn partners(
         &self,
-        ball: usize,
         partners: impl IntoIterator<Item = usize>,
-        except: Option<Near>,
         best: &mut Candidate<T>,
-        notes: &mut Notes<T>,
+        mut watch: Option<&mut Watch<T>>,
+        searches: &mut u64,
     ) {
-        let world = self.world;
-        let skip = except.and_then(|near| near.partner_of(ball));
-        let skip = skip.unwrap_or(ball);
-        let flight = &self.flights[ball];
+        let (ball, flight, mate) = (self.ball, self.flight, self.mate);
+        let (world, flights) = (self.balls.world(), self.balls.flights());
         let moves = flight.moves();
         for other in partners {
-            let partner = &self.flights[other];
+            let mut partner = &flights[other];
+            if other == mate || other == ball {
+                match self.ahead {
+                    Some(ahead) if other != ball => partner = ahead,
+                    _ => continue,
+                }
+            }
             let rests = !(moves || partner.moves());
-            if (rests && notes.watch.is_none()) || other == ball || other == skip {
+            if rests && watch.is_none() {
                 continue;
             }
             // when both had begun what they do now
@@ -229,16 +313,16 @@ impl<T: Real> View<'_, T> {
             let p = [place[0] - position[0], place[1] - position[1]];
             let square = p[0] * p[0] + p[1] * p[1];
             let distance = world.distance(ball, other);
-            if let Some(watch) = notes.watch {
-                let near = distance + watch;
+            if let Some(watch) = watch.as_deref_mut() {
+                let near = distance + watch.reach;
                 if square <= near * near {
-                    notes.add(Near::Pair(ball, other));
+                    watch.note(Encounter::Pair(ball, other));
                 }
                 if rests {
                     continue;
                 }
             }
-            notes.root_calls += 1;
+            *searches += 1;
             let limit = later(best.time).at_most(partner.end) - since;
             // too far apart for the time that is left
             let range = distance + world.blur.length + (flight.fastest + partner.fastest) * limit;
@@ -246,24 +330,48 @@ impl<T: Real> View<'_, T> {
                 continue;
             }
             let v = [motion[0] - velocity[0], motion[1] - velocity[1]];
-            let curved = flight.phase == Phase::Curve || partner.phase == Phase::Curve;
-            let found = if !partner.moves() && !curved {
-                straight_contact(p, v, flight.end - since, distance, limit, &world.blur)
-            } else if !curved && (!moves || partner.phase == Phase::Free) {
-                straight_contact(p, v, partner.end - since, distance, limit, &world.blur)
-            } else {
-                let a = [
-                    partner.acceleration[0] - flight.acceleration[0],
-                    partner.acceleration[1] - flight.acceleration[1],
-                ];
-                let approach = Approach { p, v, a, distance };
-                let end = flight.end.at_most(partner.end) - since;
-                first_contact_by(&approach, end, limit, &world.blur)
-            };
-            best.or(since, self.versions[other], found, || {
+            let found = self.contact(partner, since, [p, v], distance, limit);
+            best.or(since, self.stamp(other), found, || {
                 let (first, second) = (ball.min(other) as u32, ball.max(other) as u32);
                 (What::Pair(first, second), What::UnclearPair(first, second))
             });
+        }
+    }
+
+    /// When it first touches a partner that is at `p` from it and moves with `v` at the time `since`, s after that.
+    #[inline(always)]
+    fn contact(
+        &self,
+        partner: &Flight<T>,
+        since: T,
+        [p, v]: [[T; 2]; 2],
+        distance: T,
+        limit: T,
+    ) -> Contact<T> {
+        let flight = self.flight;
+        let blur = &self.balls.world().blur;
+        let curved = flight.phase == Phase::Curve || partner.phase == Phase::Curve;
+        if !partner.moves() && !curved {
+            straight_contact(p, v, flight.end - since, distance, limit, blur)
+        } else if !curved && (!flight.moves() || partner.phase == Phase::Free) {
+            straight_contact(p, v, partner.end - since, distance, limit, blur)
+        } else {
+            let a = [
+                partner.acceleration[0] - flight.acceleration[0],
+                partner.acceleration[1] - flight.acceleration[1],
+            ];
+            let approach = Approach { p, v, a, distance };
+            let end = flight.end.at_most(partner.end) - since;
+            first_contact_by(&approach, end, limit, blur)
+        }
+    }
+
+    /// How often a partner will have changed its course when this row is known.
+    #[inline]
+    fn stamp(&self, other: usize) -> u32 {
+        match self.ahead {
+            Some(_) if other == self.mate => self.balls.next_version(other),
+            _ => self.balls.version(other),
         }
     }
 }

@@ -14,9 +14,7 @@
 //! Contacts that share no ball do not see each other and are solved apart, and one alone is left to its law: in a cradle the
 //! exchange of equal masses stays exact to the bit.
 
-use super::simultaneous::Cluster;
 use crate::math::Real;
-use crate::physics::{Contact, Cushion};
 
 /// Passes before the answer is that they never end. A light ball between heavy ones needs many, a rack a few dozen.
 const MOST_PASSES: u32 = 10_000;
@@ -79,36 +77,40 @@ impl<T: Real> Constraint<T> {
     }
 }
 
-/// What reflections did to a cluster.
+/// What reflections leave of a cluster.
 #[derive(Clone, Debug)]
-pub struct Shock<T> {
+pub struct Reflected<T> {
     /// Velocities of the members afterwards.
     pub velocities: Vec<[T; 2]>,
-    /// Contacts that took part (indices into the cluster's touches) and their whole impulse, in the order of the first pass in
+    /// Contacts that took part (indices into the constraints) and their whole impulse, in the order of the first pass in
     /// which they did, then in scene order.
     pub impulses: Vec<(usize, T)>,
 }
 
-impl<T: Real> Cluster<'_, T> {
-    /// Reflects until no contact approaches; `None` if there is no end to it.
-    pub fn reflect(&self) -> Option<Shock<T>> {
-        // exhaustive: a law with losses or friction has to say here what it means for several contacts
-        match (self.world.contact, self.world.cushion) {
-            (None | Some(Contact::Elastic {}), None | Some(Cushion::Elastic {})) => {}
-            (Some(Contact::Inelastic { .. }), _)
-            | (
-                _,
-                Some(
-                    Cushion::Restitution { .. }
-                    | Cushion::Han2005 { .. }
-                    | Cushion::Mathavan2010 { .. },
-                ),
-            ) => return None,
-        }
-        let constraints = self.constraints();
-        let mass = self.masses();
-        // what reflects is smooth, and leaves spins alone
-        let (mut velocities, mut spins) = (self.velocities.clone(), self.spins.clone());
+/// A cluster as reflections see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Approaching<'a, T> {
+    /// Its contacts.
+    pub constraints: &'a [Constraint<T>],
+    /// Masses of its members.
+    pub mass: &'a [T],
+    /// Velocities of its members, length/s.
+    pub velocities: &'a [[T; 2]],
+    /// What closes in no faster than this does not approach, length/s.
+    pub slow: T,
+}
+
+impl<T: Real> Approaching<'_, T> {
+    /// Reflects until no contact approaches; `None` if there is no end to it. `alone`: the law of a contact that shares no ball with another
+    /// that approaches, applied to the velocities.
+    pub fn reflect(&self, mut alone: impl FnMut(usize, &mut [[T; 2]])) -> Option<Reflected<T>> {
+        let Approaching {
+            constraints,
+            mass,
+            slow,
+            ..
+        } = *self;
+        let mut velocities = self.velocities.to_vec();
         let mut impulses: Vec<(usize, T)> = Vec::new();
         let mut book = |contact: usize, impulse: T| match impulses
             .iter_mut()
@@ -120,7 +122,7 @@ impl<T: Real> Cluster<'_, T> {
         let mut passes = 0;
         loop {
             let closing: Vec<usize> = (0..constraints.len())
-                .filter(|i| constraints[*i].closing(&velocities) > self.world.blur.speed)
+                .filter(|i| constraints[*i].closing(&velocities) > slow)
                 .collect();
             if closing.is_empty() {
                 break;
@@ -130,41 +132,35 @@ impl<T: Real> Cluster<'_, T> {
                 return None;
             }
             let before = velocities.clone();
-            for group in groups(&closing, &constraints) {
+            for group in groups(&closing, constraints) {
                 if let [contact] = group[..] {
                     let constraint = &constraints[contact];
                     let speed = constraint.closing(&before);
                     book(
                         contact,
-                        (speed + speed) / constraint.coupling(constraint, &mass),
+                        (speed + speed) / constraint.coupling(constraint, mass),
                     );
-                    self.apply(self.touches[contact], &mut velocities, &mut spins);
+                    alone(contact, &mut velocities);
                     continue;
                 }
                 let set: Vec<&Constraint<T>> = group.iter().map(|i| &constraints[*i]).collect();
-                let speeds: Vec<T> = set.iter().map(|c| c.closing(&before)).collect();
-                let matrix: Vec<Vec<T>> = set
-                    .iter()
-                    .map(|row| set.iter().map(|c| row.coupling(c, &mass)).collect())
-                    .collect();
-                let mut projected = project(&matrix, &speeds, self.world.blur.speed)?;
-                refine(&mut projected, &matrix, &set, &mass, &before);
-                for (contact, half) in group.iter().zip(projected) {
+                let halves = projection(&set, mass, &before, slow)?;
+                for (contact, half) in group.iter().zip(halves) {
                     if half > T::zero() {
                         let impulse = half + half;
                         book(*contact, impulse);
-                        constraints[*contact].push(impulse, &mass, &mut velocities);
+                        constraints[*contact].push(impulse, mass, &mut velocities);
                     }
                 }
             }
         }
         let counted = impulses.len() as f64;
-        let part = keep_energy(&mass, &self.velocities, &mut velocities);
+        let part = keep_energy(mass, self.velocities, &mut velocities);
         for (_, impulse) in &mut impulses {
             *impulse *= part;
         }
         self.settle(&mut velocities, T::lift(CANCELLED * T::ULP * counted));
-        Some(Shock {
+        Some(Reflected {
             velocities,
             impulses,
         })
@@ -180,12 +176,27 @@ impl<T: Real> Cluster<'_, T> {
             .chain(velocities.iter())
             .map(square)
             .fold(T::zero(), T::at_least);
-        for (after, before) in velocities.iter_mut().zip(&self.velocities) {
+        for (after, before) in velocities.iter_mut().zip(self.velocities) {
             if *after != *before && square(after) <= part * part * fastest {
                 *after = [T::zero(); 2];
             }
         }
     }
+}
+
+/// The impulses that bring contacts which share balls to no closing speed: half of what reflects. `None` if there is no end to it.
+fn projection<T: Real>(
+    set: &[&Constraint<T>],
+    mass: &[T],
+    velocities: &[[T; 2]],
+    slow: T,
+) -> Option<Vec<T>> {
+    let speeds: Vec<T> = set.iter().map(|c| c.closing(velocities)).collect();
+    let row = |row: &&Constraint<T>| set.iter().map(|c| row.coupling(c, mass)).collect();
+    let matrix: Vec<Vec<T>> = set.iter().map(row).collect();
+    let mut impulses = project(&matrix, &speeds, slow)?;
+    refine(&mut impulses, &matrix, set, mass, velocities);
+    Some(impulses)
 }
 
 /// Rounding of all impulses that is left as it is, in ulps: what is exact stays exact.

@@ -50,16 +50,7 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
         return None;
     }
     let script = Script::new(scene, trace);
-    let length = scene.smallest_radius();
-    let speed = match scene.largest_speed() {
-        0.0 => 1.0,
-        speed => speed,
-    };
-    let unit: [f64; PARTS] = std::array::from_fn(|part| match part {
-        0 | 1 => length,
-        2 | 3 => speed,
-        _ => speed / length,
-    });
+    let unit = units(scene);
     // a ball that rests on a cloth stays where it is when its velocity is changed by little
     let slides =
         |ball: usize| scene.effects.cloth.is_none() || scene.balls[ball].state.speed() > 0.0;
@@ -106,6 +97,20 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
         }
     }
     Some(growth)
+}
+
+/// Units of the coordinates of a ball: R, the largest initial speed, and that over R.
+fn units(scene: &Scene) -> [f64; PARTS] {
+    let length = scene.smallest_radius();
+    let speed = match scene.largest_speed() {
+        0.0 => 1.0,
+        speed => speed,
+    };
+    std::array::from_fn(|part| match part {
+        0 | 1 => length,
+        2 | 3 => speed,
+        _ => speed / length,
+    })
 }
 
 /// The tangent map from time 0 to `t`: `parts` rows a ball, one column an input.

@@ -6,6 +6,7 @@ use crate::engine::sheet::Role;
 use crate::engine::{PairMaterial, Parameter, Partner};
 use crate::math::Real;
 use crate::physics::{Cloth, Contact, Cushion, Friction, friction};
+use crate::scene::Scene;
 
 impl<T: Real> Prepared<'_, T> {
     /// Every parameter that changes physics.
@@ -13,11 +14,8 @@ impl<T: Real> Prepared<'_, T> {
         let scene = self.scene;
         let unit = &scene.units;
         let (speed, acceleration) = (unit.speed(), unit.acceleration());
-        let row =
-            |role, name: &str, value: String, unit: &str| Parameter::new(role, name, value, unit);
-        let number = |role, name: &str, value: f64| row(role, name, value.to_string(), "");
-        let words = |role, name: &str, value: &str| row(role, name, value.to_owned(), "");
-        let world = &self.solver.world;
+        let row = Parameter::new;
+        let world = self.solver.balls().world();
         let rotation = match world.rotation {
             None => "not simulated",
             Some(_) => "uniform solid sphere",
@@ -46,71 +44,9 @@ impl<T: Real> Prepared<'_, T> {
             let launched = scene.balls[shot.ball()].state.speed();
             sheet.push(row(Role::Launch, "speed", launched.to_string(), &speed));
         }
-        match scene.effects.cloth {
-            Some(Cloth::Translational { mu }) => {
-                sheet.push(number(Role::ClothFriction, "mu", mu));
-            }
-            Some(Cloth::Rotational {
-                mu_slide,
-                mu_roll,
-                mu_spin,
-            }) => {
-                sheet.push(number(Role::ClothFriction, "mu_slide", mu_slide));
-                sheet.push(number(Role::ClothFriction, "mu_roll", mu_roll));
-                sheet.push(number(Role::ClothFriction, "mu_spin", mu_spin));
-            }
-            None => sheet.push(words(Role::ClothFriction, "cloth", "none")),
-        }
-        match scene.effects.contact {
-            Some(Contact::Elastic {}) => {
-                sheet.push(number(Role::BallRestitution, "restitution", 1.0));
-            }
-            Some(Contact::Inelastic { e }) => {
-                sheet.push(number(Role::BallRestitution, "restitution", e));
-            }
-            None => sheet.push(words(Role::BallRestitution, "contact", "none")),
-        }
-        if scene.effects.contact.is_some() {
-            sheet.push(match scene.effects.friction {
-                None => number(Role::BallFriction, "friction", 0.0),
-                Some(Friction::Constant { mu }) => number(Role::BallFriction, "friction", mu),
-                Some(Friction::Alciatore { a, b, c, .. }) => words(
-                    Role::BallFriction,
-                    "friction",
-                    &format!("{a} + {b} exp(-{c} u), u in m/s"),
-                ),
-            });
-        }
-        let cushion = |law: &str, e: f64, mu: f64, height: Option<f64>| {
-            let mut rows = vec![
-                words(Role::CushionRestitution, "law", law),
-                number(Role::CushionRestitution, "restitution", e),
-                number(Role::CushionFriction, "friction", mu),
-            ];
-            rows.extend(height.map(|h| row(Role::CushionFriction, "height", h.to_string(), "R")));
-            rows
-        };
-        match scene.effects.cushion {
-            Some(law @ Cushion::Elastic {}) => sheet.extend(cushion(law.id(), 1.0, 0.0, None)),
-            Some(law @ Cushion::Restitution { e }) => {
-                sheet.extend(cushion(law.id(), e, 0.0, None));
-            }
-            Some(law @ Cushion::Han2005 { e, mu, height }) => {
-                sheet.extend(cushion(law.id(), e, mu, Some(height)));
-            }
-            Some(
-                law @ Cushion::Mathavan2010 {
-                    e,
-                    mu,
-                    mu_cloth,
-                    height,
-                },
-            ) => {
-                sheet.extend(cushion(law.id(), e, mu, Some(height)));
-                sheet.push(number(Role::CushionFriction, "mu_cloth", mu_cloth));
-            }
-            None => sheet.push(words(Role::CushionRestitution, "cushion", "none")),
-        }
+        sheet.extend(cloth(scene));
+        sheet.extend(contact(scene));
+        sheet.extend(cushion(scene));
         if let Some(pockets) = &scene.effects.pockets {
             let count = pockets.circles.len().to_string();
             sheet.push(row(Role::Other, "pockets", count, ""));
@@ -121,7 +57,7 @@ impl<T: Real> Prepared<'_, T> {
 
     /// What the engine's laws do, as friction and restitution of every kind of pair.
     pub(super) fn materials(&self, balls: usize) -> Vec<PairMaterial> {
-        let world = &self.solver.world;
+        let world = self.solver.balls().world();
         let rub = world
             .friction
             .map_or(0.0, |law| friction::coefficient(law, T::zero()).to_f64());
@@ -166,6 +102,76 @@ impl<T: Real> Prepared<'_, T> {
         }
         found
     }
+}
+
+fn number(role: Role, name: &str, value: f64) -> Parameter {
+    Parameter::new(role, name, value.to_string(), "")
+}
+
+fn words(role: Role, name: &str, value: &str) -> Parameter {
+    Parameter::new(role, name, value.to_owned(), "")
+}
+
+fn cloth(scene: &Scene) -> Vec<Parameter> {
+    let mu = |name, value| number(Role::ClothFriction, name, value);
+    match scene.effects.cloth {
+        Some(Cloth::Translational { mu: of_cloth }) => vec![mu("mu", of_cloth)],
+        Some(Cloth::Rotational {
+            mu_slide,
+            mu_roll,
+            mu_spin,
+        }) => vec![
+            mu("mu_slide", mu_slide),
+            mu("mu_roll", mu_roll),
+            mu("mu_spin", mu_spin),
+        ],
+        None => vec![words(Role::ClothFriction, "cloth", "none")],
+    }
+}
+
+fn contact(scene: &Scene) -> Vec<Parameter> {
+    let restitution = |e| number(Role::BallRestitution, "restitution", e);
+    let restitution = match scene.effects.contact {
+        Some(Contact::Elastic {}) => restitution(1.0),
+        Some(Contact::Inelastic { e }) => restitution(e),
+        None => return vec![words(Role::BallRestitution, "contact", "none")],
+    };
+    let friction = match scene.effects.friction {
+        None => number(Role::BallFriction, "friction", 0.0),
+        Some(Friction::Constant { mu }) => number(Role::BallFriction, "friction", mu),
+        Some(Friction::Alciatore { a, b, c, .. }) => words(
+            Role::BallFriction,
+            "friction",
+            &format!("{a} + {b} exp(-{c} u), u in m/s"),
+        ),
+    };
+    vec![restitution, friction]
+}
+
+fn cushion(scene: &Scene) -> Vec<Parameter> {
+    let Some(law) = scene.effects.cushion else {
+        return vec![words(Role::CushionRestitution, "cushion", "none")];
+    };
+    let (e, mu, height, of_cloth) = match law {
+        Cushion::Elastic {} => (1.0, 0.0, None, None),
+        Cushion::Restitution { e } => (e, 0.0, None, None),
+        Cushion::Han2005 { e, mu, height } => (e, mu, Some(height), None),
+        Cushion::Mathavan2010 {
+            e,
+            mu,
+            mu_cloth,
+            height,
+        } => (e, mu, Some(height), Some(mu_cloth)),
+    };
+    let mut rows = vec![
+        words(Role::CushionRestitution, "law", law.id()),
+        number(Role::CushionRestitution, "restitution", e),
+        number(Role::CushionFriction, "friction", mu),
+    ];
+    let height = height.map(|h| h.to_string());
+    rows.extend(height.map(|h| Parameter::new(Role::CushionFriction, "height", h, "R")));
+    rows.extend(of_cloth.map(|mu| number(Role::CushionFriction, "mu_cloth", mu)));
+    rows
 }
 
 /// One number if all are equal, else the smallest and the largest.

@@ -4,9 +4,10 @@
 //! Processing the pairs one after another is an answer only if every order gives the same one: always so in a straight
 //! line of equal balls or for contacts at right angles, never so in the apex of a rack. This room tries the orders on the
 //! cluster of touching balls with positions held still, and says whether they agree. What a scene's convention makes of
-//! such an instant is in `reflections`.
+//! such an instant is in `cluster_impact`.
 
-use super::reflections::Constraint;
+use super::agenda::Agenda;
+use super::kinematics::Kinematics;
 use super::world::World;
 use crate::math::Real;
 use crate::physics::{Body, Motion, Side, contact, cushion};
@@ -51,6 +52,27 @@ fn spatial<T: Real>(v: [T; 2]) -> Vector3<T> {
 }
 
 impl<'a, T: Real> Cluster<'a, T> {
+    /// The cluster around `seeds` in a run. `state`: centre and velocity of a ball; `spin`: its angular velocity; two parties are
+    /// within reach if their gap is touching, or closes within `window` seconds.
+    pub fn within(
+        balls: &'a Kinematics<'_, T>,
+        agenda: &Agenda<T>,
+        seeds: &[usize],
+        state: &dyn Fn(usize) -> ([T; 2], [T; 2]),
+        spin: &dyn Fn(usize) -> [T; 3],
+        window: T,
+    ) -> Self {
+        let world = balls.world();
+        // no two balls close in faster than this
+        let gap = world.touching + (world.fastest + world.fastest) * window;
+        let neighbours = |ball: usize| agenda.neighbours(balls, ball, gap);
+        let mut cluster = Cluster::around(world, seeds, state, &neighbours, window, usize::MAX);
+        if balls.rotates() {
+            cluster.spins = cluster.balls.iter().map(|ball| spin(*ball)).collect();
+        }
+        cluster
+    }
+
     /// The cluster around `seeds`. `state`: centre and velocity of a ball; `neighbours`: in scene order, all that may be
     /// within reach of one; two parties are within reach if their gap is touching, or closes within `window` seconds. It
     /// is left unfinished as soon as it has more than `most` balls.
@@ -133,12 +155,6 @@ impl<'a, T: Real> Cluster<'a, T> {
         }
     }
 
-    /// The same cluster with the angular velocities of its balls.
-    pub fn turning(mut self, spin: impl Fn(usize) -> [T; 3]) -> Self {
-        self.spins = self.balls.iter().map(|ball| spin(*ball)).collect();
-        self
-    }
-
     /// Contacts that approach, given these velocities.
     fn live<'b>(&'b self, velocities: &'b [[T; 2]]) -> impl Iterator<Item = Touch<T>> + 'b {
         let slow = self.world.blur.speed;
@@ -152,25 +168,6 @@ impl<'a, T: Real> Cluster<'a, T> {
             };
             closing > slow
         })
-    }
-
-    /// The contacts as bounds on velocities, in the order of `touches`.
-    pub fn constraints(&self) -> Vec<Constraint<T>> {
-        let bound = |touch: &Touch<T>| match *touch {
-            Touch::Pair(a, b, n) => Constraint {
-                first: (a, [n.x, n.y]),
-                second: Some((b, [-n.x, -n.y])),
-            },
-            Touch::Cushion(a, side) => {
-                let mut outward = [T::zero(); 2];
-                outward[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
-                Constraint {
-                    first: (a, outward),
-                    second: None,
-                }
-            }
-        };
-        self.touches.iter().map(bound).collect()
     }
 
     /// Masses of the members.

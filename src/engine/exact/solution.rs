@@ -25,17 +25,16 @@ pub struct Solution<T> {
 ///
 /// The scene must be one that the engine can simulate; see `Engine::missing`.
 pub fn solve<T: Real>(scene: &Scene, limits: &Limits<'_>) -> Solution<T> {
-    let mut run = Solver::<T>::new(scene).start(Provenance::default(), Record::Events);
-    run.times = Some(Vec::new());
-    let ending = run.play(limits);
-    let now = run.now;
-    let (positions, velocities) = run.solver.flights.iter().map(|f| f.at(now)).unzip();
+    let solver = Solver::<T>::new(scene);
+    let mut played = solver.play(Provenance::default(), Record::Events, limits, true);
+    let balls = played.balls();
+    let (positions, velocities) = (0..balls.count()).map(|ball| balls.at(ball)).unzip();
     Solution {
-        times: run.times.take().unwrap_or_default(),
         positions,
         velocities,
-        end_time: now,
-        trace: run.finish(ending),
+        end_time: balls.now(),
+        times: played.take_times(),
+        trace: played.trace(),
     }
 }
 

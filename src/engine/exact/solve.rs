@@ -1,455 +1,358 @@
-//! The event loop: take the earliest event, advance its balls to it, apply its law, predict again.
+//! The event loop: take the earliest event, decide what it does, let its balls set off, predict again.
 //!
 //! Only the balls of an event are touched. Every other ball stays where its own last event left it, so nothing is
 //! accumulated. The loop never decides what the scalar cannot tell: it ends with the reason instead.
+//!
+//! It owns four parts and is the only one to change them: what the balls do (`kinematics`), what comes next (`agenda`), impacts
+//! while no time passes (`collapse`), and what is written down (`journal`). An event is a value before it is applied: `impact`,
+//! `cluster_impact` and `phases` decide it from the kinematics, `ambiguity` whether it stands alone.
 
-use super::cells::{Cells, ENOUGH_BALLS};
+use super::agenda::{Agenda, Due, Partners, Work};
+use super::ambiguity::{self, Standing};
+use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
-use super::flight::Flight;
-use super::predict::{Near, Notes, View};
-use super::queue::{Candidate, Queue, What};
-use super::spin::Spin;
-use super::world::World;
+use super::impact::{Impact, ImpactSide};
+use super::journal::Journal;
+use super::kinematics::Kinematics;
+use super::phases::PhaseEnd;
+use super::predict::{Row, Watch};
+use super::queue::{Candidate, What};
+use super::range::unfit;
 use crate::engine::Limits;
-use crate::math::{Real, Vec3};
-use crate::physics::{Side, State};
+use crate::math::Real;
+use crate::physics::Side;
 use crate::scene::Scene;
-use crate::trace::{Ending, Provenance, Record, Recorder, Spot, Trace};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::ops::Range;
+use crate::trace::{Ending, Provenance, Record, Trace};
 
-/// Which balls a prediction looks at. The trace is the same to the bit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Partners {
-    /// Those nearby in scenes of many balls, all in others.
-    #[default]
-    Auto,
-    /// All others.
-    All,
-    /// Those nearby.
-    Cells,
-}
-
-/// A run in the scalar `T`.
-#[derive(Debug)]
+/// A run in the scalar `T` that has not begun.
+#[derive(Clone, Debug)]
 pub struct Solver<'a, T: Real> {
-    /// The scene: names, and the third dimension of states.
-    pub scene: &'a Scene,
-    /// What stays the same.
-    pub world: World<T>,
-    /// What every ball does now.
-    pub flights: Vec<Flight<T>>,
-    /// How every ball turns meanwhile; empty in a scene that does not call for rotation.
-    pub spins: Vec<Spin<T>>,
-    /// Which balls a prediction looks at.
-    pub partners: Partners,
+    balls: Kinematics<'a, T>,
+    partners: Partners,
 }
 
 impl<'a, T: Real> Solver<'a, T> {
     /// A scene at time 0.
     pub fn new(scene: &'a Scene) -> Self {
-        let world = World::new(scene);
-        let (flights, spins) = world.first_flights(scene);
         Solver {
-            scene,
-            world,
-            flights,
-            spins,
+            balls: Kinematics::new(scene),
             partners: Partners::Auto,
         }
     }
 
-    /// States at time 0, read back from the flights.
-    pub fn states(&self) -> Vec<State> {
-        let read = |(ball, flight): (usize, &Flight<T>)| {
-            self.state(ball, flight.position, flight.velocity, flight.start)
-        };
-        self.flights.iter().enumerate().map(read).collect()
+    /// The same run with predictions that look at `partners`.
+    pub fn looking_at(self, partners: Partners) -> Self {
+        Solver { partners, ..self }
     }
 
-    /// A state in f64 for the trace: centre and velocity in the plane as given, spin that of the ball's flight at time `t`.
-    pub fn state(&self, ball: usize, position: [T; 2], velocity: [T; 2], t: T) -> State {
-        self.state_with(ball, position, velocity, self.spin_at(ball, t))
-    }
-
-    /// A state in f64 for the trace.
-    pub fn state_with(
-        &self,
-        ball: usize,
-        position: [T; 2],
-        velocity: [T; 2],
-        spin: [T; 3],
-    ) -> State {
-        let height = self.scene.balls[ball].state.position.z;
-        State {
-            position: Vec3::new(position[0].to_f64(), position[1].to_f64(), height),
-            velocity: Vec3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
-            spin: spin.map(T::to_f64).into(),
-        }
-    }
-
-    /// Angular velocity of a ball at time `t` of its flight, rad/s; zero in a scene that does not call for rotation.
-    pub fn spin_at(&self, ball: usize, t: T) -> [T; 3] {
-        match self.spins.get(ball) {
-            None => [T::zero(); 3],
-            Some(spin) => spin.after(t - self.flights[ball].start),
-        }
-    }
-
-    /// True while a ball moves or turns.
-    pub fn is_active(&self, ball: usize) -> bool {
-        self.flights[ball].moves() || self.spins.get(ball).is_some_and(Spin::turns)
+    /// What is inside: the balls at time 0.
+    pub fn balls(&self) -> &Kinematics<'a, T> {
+        &self.balls
     }
 
     /// Runs to an ending.
     pub fn run(self, provenance: Provenance, record: Record, limits: &Limits<'_>) -> Trace {
-        let mut run = self.start(provenance, record);
-        let ending = run.play(limits);
-        run.finish(ending)
+        self.play(provenance, record, limits, false).trace()
     }
 
-    /// A run that has not begun.
-    pub fn start(self, provenance: Provenance, record: Record) -> Loop<'a, T> {
-        let recorder = Recorder::new(self.scene, provenance, record, &self.states());
-        let n = self.flights.len();
-        Loop {
-            times: None,
-            versions: vec![0; n],
-            queue: Queue::new(n),
-            notes: Notes {
-                root_calls: 0,
-                watch: None,
-                known: None,
-                near: Vec::new(),
-            },
-            now: T::zero(),
-            moving: (0..n).filter(|ball| self.is_active(*ball)).count(),
-            turned: Vec::new(),
-            streaks: Streaks::new(n),
-            recorder,
-            counts: Counts::default(),
-            cells: None,
-            nearby: Vec::new(),
-            solver: self,
+    /// Runs to an ending. `times`: whether the time of every event is kept in the scalar of the run.
+    pub fn play(
+        self,
+        provenance: Provenance,
+        record: Record,
+        limits: &Limits<'_>,
+        times: bool,
+    ) -> Played<'a, T> {
+        let Solver { balls, partners } = self;
+        let journal = Journal::new(&balls, provenance, record, times);
+        if let Some(ending) = unfit(&balls) {
+            return Played {
+                ending,
+                balls,
+                journal,
+                work: Work::default(),
+            };
+        }
+        let mut run = Loop {
+            agenda: Agenda::new(&balls, partners),
+            streaks: Streaks::new(balls.count()),
+            balls,
+            journal,
+        };
+        let ending = run.run(limits);
+        Played {
+            ending,
+            work: run.agenda.work(),
+            balls: run.balls,
+            journal: run.journal,
         }
     }
 }
 
-/// Work done.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Counts {
-    /// Rows of the trace.
-    pub events: u64,
-    /// Impacts of two balls.
-    pub ball_ball: u64,
-    /// Impacts on cushions.
-    pub ball_cushion: u64,
-    /// Balls that left their square of the cells.
-    pub cell_crossings: u64,
-    /// Layouts of the cells.
-    pub cell_layouts: u64,
+/// A run that came to its end.
+pub struct Played<'a, T: Real> {
+    ending: Ending,
+    balls: Kinematics<'a, T>,
+    journal: Journal<T>,
+    work: Work,
 }
 
-/// How a ball turns on both sides of an impact.
-#[derive(Clone, Copy, Debug)]
-pub struct Turned<T> {
-    /// Index in scene order.
-    pub ball: usize,
-    /// What it did until now.
-    pub spin: Spin<T>,
-    /// Angular velocity on the near side.
-    pub before: [T; 3],
-    /// Angular velocity on the far side.
-    pub after: [T; 3],
+impl<'a, T: Real> Played<'a, T> {
+    /// The balls at the end.
+    pub fn balls(&self) -> &Kinematics<'a, T> {
+        &self.balls
+    }
+
+    /// Times of the events, s; empty if they were not kept.
+    pub fn take_times(&mut self) -> Vec<T> {
+        self.journal.take_times()
+    }
+
+    /// The trace, rounded to f64.
+    pub fn trace(self) -> Trace {
+        let work = [
+            ("cell_crossings", self.work.crossings),
+            ("cell_layouts", self.work.layouts),
+            ("root_calls", self.work.searches),
+        ];
+        self.journal.finish(&self.balls, self.ending, work)
+    }
 }
 
 /// A run under way.
-pub struct Loop<'a, T: Real> {
-    /// Scene, world and flights.
-    pub solver: Solver<'a, T>,
-    /// How often every ball has changed its flight.
-    pub versions: Vec<u32>,
-    /// The next event of every ball.
-    pub queue: Queue<T>,
-    /// What predictions left behind.
-    pub notes: Notes<T>,
-    /// Time of the latest event, s.
-    pub now: T,
-    /// Who may meet whom, where there are many balls.
-    pub cells: Option<Cells>,
-    /// The partners of the prediction at hand.
-    pub nearby: Vec<u32>,
-    /// Balls that move or turn.
-    pub moving: usize,
-    /// How the balls of the impact at hand turn, in a scene that calls for rotation.
-    pub turned: Vec<Turned<T>>,
+struct Loop<'a, T: Real> {
+    balls: Kinematics<'a, T>,
+    agenda: Agenda<T>,
     /// How often each ball was hit without time passing.
-    pub streaks: Streaks<T>,
-    /// The trace.
-    pub recorder: Recorder,
-    /// Work done.
-    pub counts: Counts,
-    /// Time of every event in the scalar of the run, where someone asks for it.
-    pub times: Option<Vec<T>>,
+    streaks: Streaks<T>,
+    journal: Journal<T>,
 }
 
 impl<T: Real> Loop<'_, T> {
     /// Runs to an ending; once.
-    pub fn play(&mut self, limits: &Limits<'_>) -> Ending {
-        if let Some(ending) = self.unfit() {
-            return ending;
-        }
-        self.predict_all();
+    fn run(&mut self, limits: &Limits<'_>) -> Ending {
         loop {
-            let (ball, next) = self.queue.first();
-            if next.what == What::Nothing {
+            let due = self.agenda.due(&self.balls);
+            if let Due::Nothing = due {
                 return self.nothing_left();
             }
             if limits.is_cancelled() {
                 return Ending::Cancelled;
             }
-            if self.is_stale(ball, &next) {
-                self.now_is(next.time);
-                self.predict(ball, None);
-                continue;
-            }
-            if let What::Leaving(a, side) = next.what {
-                self.now_is(next.time);
-                self.leave(a as usize, side);
-                continue;
-            }
-            if self.counts.events >= limits.max_events {
-                let why = format!("the limit of {} events is reached", limits.max_events);
-                return Ending::Budget(self.spot(&next.what.balls(), &why));
-            }
-            self.now_is(next.time);
-            let ended = match next.what {
-                What::Pair(a, b) => self.pair(a as usize, b as usize),
-                What::Cushion(a, side) => self.cushion(a as usize, side),
-                What::Pocket(a, pocket) => self.pocket(a as usize, pocket),
-                What::End(a) if self.solver.spins.is_empty() => self.phase_end(a as usize),
-                What::End(a) => self.turn_end(a as usize),
-                What::UnclearPair(a, b) => Some(Ending::Undecidable(self.spot(
-                    &[a as usize, b as usize],
-                    "they pass so closely, or so slowly, that rounding decides whether they touch",
-                ))),
-                What::UnclearCushion(a, side) => Some(Ending::Undecidable(self.spot(
-                    &[a as usize],
-                    &format!(
-                        "it stops so close to {} that rounding decides whether it touches",
-                        side.id()
-                    ),
-                ))),
-                What::UnclearPocket(a, pocket) => Some(Ending::Undecidable(self.spot(
-                    &[a as usize],
-                    &format!("it passes pocket p{pocket} so closely that rounding decides whether it falls"),
-                ))),
-                What::Leaving(..) | What::Nothing => None,
-            };
-            if let Some(ending) = ended {
-                return ending;
+            match due {
+                Due::Nothing => {}
+                Due::Upkeep(time, upkeep) => {
+                    self.balls.advance(time);
+                    self.agenda.keep_up(&self.balls, upkeep);
+                }
+                Due::Event(time, what) => {
+                    if self.journal.events() >= limits.max_events {
+                        let why = format!("the limit of {} events is reached", limits.max_events);
+                        return Ending::Budget(self.balls.spot(&what.balls(), &why));
+                    }
+                    self.balls.advance(time);
+                    if let Some(ending) = self.happen(what) {
+                        return ending;
+                    }
+                }
             }
         }
     }
 
     /// The end of a run in which nothing happens any more.
     fn nothing_left(&mut self) -> Ending {
-        if self.moving == 0 && !self.solver.scene.run_to_duration {
+        if self.balls.all_rest() && !self.balls.scene().run_to_duration {
             return Ending::Rest;
         }
-        self.now = self.solver.world.duration;
+        self.balls.advance(self.balls.world().duration);
         Ending::Duration
     }
 
-    fn now_is(&mut self, time: T) {
-        self.now = self.now.at_least(time);
-    }
-
-    fn is_stale(&self, ball: usize, candidate: &Candidate<T>) -> bool {
-        match candidate.what {
-            What::Pair(a, b) | What::UnclearPair(a, b) => {
-                let other = if a as usize == ball { b } else { a };
-                self.versions[other as usize] != candidate.stamp
+    /// An event; answers whether it ends the run.
+    #[inline]
+    fn happen(&mut self, what: What) -> Option<Ending> {
+        match what {
+            What::Pair(a, b) => self.pair(a as usize, b as usize),
+            What::Cushion(a, side) => self.cushion(a as usize, side),
+            What::Pocket(a, pocket) => {
+                self.pocket(a as usize, pocket);
+                None
             }
-            What::Cushion(..)
-            | What::UnclearCushion(..)
-            | What::Pocket(..)
-            | What::UnclearPocket(..)
-            | What::End(_)
-            | What::Leaving(..)
-            | What::Nothing => false,
+            What::End(a) => self.phase_end(a as usize),
+            What::UnclearPair(..) | What::UnclearCushion(..) | What::UnclearPocket(..) => {
+                Some(self.unclear(what))
+            }
+            // upkeep of the agenda, which it does not take for an event
+            What::Leaving(..) | What::Nothing => None,
         }
     }
 
-    /// Predicts the next events of all balls, each pair once: the row of the ball that comes later holds it.
-    fn predict_all(&mut self) {
-        let n = self.versions.len();
-        let cells = match self.solver.partners {
-            Partners::Auto => n >= ENOUGH_BALLS,
-            Partners::All => false,
-            Partners::Cells => true,
-        };
-        // balls that pass through each other need no partners
-        if !cells || self.solver.world.contact.is_none() {
-            for ball in 0..n {
-                self.predict_among(ball, 0..ball);
+    #[cold]
+    fn unclear(&self, what: What) -> Ending {
+        let why = match what {
+            What::UnclearCushion(_, side) => format!(
+                "it stops so close to {} that rounding decides whether it touches",
+                side.id()
+            ),
+            What::UnclearPocket(_, pocket) => {
+                format!(
+                    "it passes pocket p{pocket} so closely that rounding decides whether it falls"
+                )
             }
-            return;
+            _ => "they pass so closely, or so slowly, that rounding decides whether they touch"
+                .to_owned(),
+        };
+        Ending::Undecidable(self.balls.spot(&what.balls(), &why))
+    }
+
+    /// Two balls meet.
+    #[inline(never)]
+    fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
+        let law = self.balls.world().contact?;
+        match Impact::of_balls(&self.balls, law, a, b) {
+            Ok(impact) => self.impact(&impact),
+            Err(ending) => Some(ending),
         }
-        let positions: Vec<[f64; 2]> = (0..n).map(|ball| self.place(ball).map(T::to_f64)).collect();
-        self.counts.cell_layouts += 1;
-        let world = &self.solver.world;
-        let (widest, blur) = (world.widest_distance(), world.blur_of_places());
-        self.cells = Some(Cells::over(&positions, widest, blur));
-        for (ball, position) in positions.into_iter().enumerate() {
-            if let Some(cells) = &mut self.cells {
-                cells.enter(ball, position);
-            }
-            self.predict(ball, None);
+    }
+
+    /// A ball meets a cushion.
+    #[inline(never)]
+    fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
+        let law = self.balls.world().cushion?;
+        match Impact::on_cushion(&self.balls, law, a, side) {
+            Ok(impact) => self.impact(&impact),
+            Err(ending) => Some(ending),
         }
     }
 
-    /// Predicts the next event of a ball, but for the encounter `except`.
-    pub fn predict(&mut self, ball: usize, except: Option<Near>) {
-        let view = View {
-            world: &self.solver.world,
-            flights: &self.solver.flights,
-            versions: &self.versions,
-        };
-        let all = 0..self.versions.len();
-        let next = match &mut self.cells {
-            None => view.next_event(ball, self.now, all, except, &mut self.notes),
-            Some(cells) => {
-                let mut best = view.end(ball);
-                let flight = &self.solver.flights[ball];
-                if flight.moves() {
-                    cells.leaving(ball, flight, self.now, &mut best);
-                }
-                // what is noted may be farther away than the squares tell
-                let watch = self.notes.watch.map_or(0.0, T::to_f64);
-                if watch <= cells.slack {
-                    cells.around(ball, &mut self.nearby);
-                    let nearby = self.nearby.iter().map(|other| *other as usize);
-                    view.among(ball, nearby, except, &mut best, &mut self.notes);
-                } else {
-                    view.among(ball, all, except, &mut best, &mut self.notes);
-                }
-                best.time = best.time.at_least(self.now);
-                best
-            }
-        };
-        self.queue.set(ball, next);
-    }
-
-    /// Predicts the next event of a ball among `partners`.
-    fn predict_among(&mut self, ball: usize, partners: Range<usize>) {
-        let view = View {
-            world: &self.solver.world,
-            flights: &self.solver.flights,
-            versions: &self.versions,
-        };
-        let next = view.next_event(ball, self.now, partners, None, &mut self.notes);
-        self.queue.set(ball, next);
-    }
-
-    /// A ball goes on into the next square of the cells.
-    fn leave(&mut self, ball: usize, side: Side) {
-        self.counts.cell_crossings += 1;
-        let Some(cells) = &mut self.cells else {
-            return;
-        };
-        cells.cross(ball, side);
-        if cells.worn_out() {
-            self.predict_all();
+    /// Applies an impact, unless others at this instant have a say in it.
+    #[inline]
+    fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
+        let sides = &impact.sides;
+        if let Some(ending) = self.streak(sides) {
+            return Some(ending);
+        }
+        let world = self.balls.world();
+        let window = world.time_error(self.balls.now(), impact.closing) * T::lift(2.0);
+        let reach = world.touching + world.fastest * window;
+        let mut watch = Watch::new(reach, Some(impact.encounter));
+        let mut next = [Candidate::none(); N];
+        for (i, next) in next.iter_mut().enumerate() {
+            *next = self.foresee(i, sides, &mut watch);
+        }
+        let ending = if watch.is_clear() {
+            None
         } else {
-            self.predict(ball, None);
-        }
-    }
-
-    /// Balls that may be within `gap` of a ball, by surfaces; itself included, in scene order.
-    pub fn neighbours(&self, ball: usize, gap: T) -> Vec<usize> {
-        match &self.cells {
-            Some(cells) if gap.to_f64() <= cells.slack => cells.within_slack(ball),
-            _ => (0..self.versions.len()).collect(),
-        }
-    }
-
-    /// Numbers whose products leave the range of the scalar cannot be run.
-    fn unfit(&self) -> Option<Ending> {
-        let solver = &self.solver;
-        let fit = |flight: &Flight<T>| {
-            let [x, y] = flight.position;
-            let [vx, vy] = flight.velocity;
-            let [ax, ay] = flight.acceleration;
-            let (p, v, a) = (x * x + y * y, vx * vx + vy * vy, ax * ax + ay * ay);
-            (p * v).is_finite() && (p * a).is_finite() && (v * v).is_finite() && (a * a).is_finite()
+            match ambiguity::standing(&self.balls, &self.agenda, sides, window, watch) {
+                Standing::Alone => None,
+                Standing::Ambiguous { balls, happened } => {
+                    let ending = Some(ambiguity::indeterminate(&self.balls, &balls));
+                    if !happened {
+                        return ending;
+                    }
+                    ending
+                }
+                Standing::Together => return self.cluster_impact(sides, window),
+            }
         };
-        let unfit: Vec<usize> = (0..solver.flights.len())
-            .filter(|ball| !fit(&solver.flights[*ball]) || self.creeps(*ball))
-            .collect();
-        let range = solver.world.fastest.is_finite() && solver.world.blur.length.is_finite();
-        if unfit.is_empty() && range && solver.world.duration.is_finite() {
-            return None;
+        for side in sides {
+            self.balls.set_off(side.ball, &side.course);
         }
-        Some(Ending::NotFinite(self.spot(
-            &unfit,
-            "its position or velocity is not a number, or too large or too small to compute with",
-        )))
-    }
-
-    /// True if a ball is so slow that the square of its speed has lost its digits, and still gets somewhere within the duration:
-    /// farther than surfaces that touch may be apart.
-    fn creeps(&self, ball: usize) -> bool {
-        let world = &self.solver.world;
-        let given = self.solver.scene.balls[ball].state.velocity;
-        // without squares that vanish
-        let path = given.x.hypot(given.y) * world.duration.to_f64();
-        // products with the square must keep their digits: a number that survives an ulp of itself has room for them
-        let [x, y] = [T::lift(given.x), T::lift(given.y)];
-        let square = x * x + y * y;
-        let small = T::lift(T::ULP) / T::lift(3.0);
-        let lost = (square * small / small - square).abs();
-        (square == T::zero() || lost > square * T::lift(16.0 * T::ULP))
-            && path > world.touching.to_f64()
-    }
-
-    /// Counts an event at this time.
-    pub fn count_event(&mut self) {
-        self.counts.events += 1;
-        if let Some(times) = &mut self.times {
-            times.push(self.now);
+        for (side, next) in sides.iter().zip(next) {
+            self.agenda.schedule(side.ball, next);
         }
+        self.journal.impact(&self.balls, impact);
+        ending
     }
 
-    /// Here and now.
-    pub fn spot(&self, balls: &[usize], why: &str) -> Spot {
-        Spot {
-            time: self.now.to_f64(),
-            balls: balls.iter().map(|b| *b as u32).collect(),
-            why: why.to_owned(),
-        }
-    }
-
-    /// The trace, rounded to f64.
-    pub fn finish(self, ending: Ending) -> Trace {
-        let read = |ball: usize| {
-            let (position, velocity) = self.solver.flights[ball].at(self.now);
-            self.solver.state(ball, position, velocity, self.now)
+    /// The next event of the `i`th ball of an impact, all of whose balls would set off now. `watch` is told what is near.
+    #[inline]
+    fn foresee(&mut self, i: usize, sides: &[ImpactSide<T>], watch: &mut Watch<T>) -> Candidate<T> {
+        let row = Row::setting_off(&self.balls, sides[i].ball, &sides[i].course.flight);
+        let row = match (i, sides) {
+            (0, [_, mate]) => row.with(mate.ball, &mate.course.flight),
+            // the pair itself belongs to the row of the first
+            (1, [first, _]) => row.without_ball(first.ball),
+            _ => row,
         };
-        let states: Vec<State> = (0..self.versions.len()).map(read).collect();
-        let counters = BTreeMap::from([
-            ("events".to_owned(), self.counts.events),
-            ("ball_ball".to_owned(), self.counts.ball_ball),
-            ("ball_cushion".to_owned(), self.counts.ball_cushion),
-            ("cell_crossings".to_owned(), self.counts.cell_crossings),
-            ("cell_layouts".to_owned(), self.counts.cell_layouts),
-            ("root_calls".to_owned(), self.notes.root_calls),
-        ]);
-        self.recorder
-            .finish(self.now.to_f64(), &states, ending, counters)
+        self.agenda.foresee(&row, Some(watch))
+    }
+
+    /// Applies what the scene's convention makes of an instant with several contacts; `seeds`: the impact under which it showed.
+    #[cold]
+    fn cluster_impact(&mut self, seeds: &[ImpactSide<T>], window: T) -> Option<Ending> {
+        let seeds: Vec<usize> = seeds.iter().map(|side| side.ball).collect();
+        let found = ClusterImpact::of(&self.balls, &self.agenda, &seeds, window);
+        let mut cluster = match found {
+            Ok(cluster) => cluster,
+            Err(ending) => return Some(ending),
+        };
+        if let Some(ending) = self.streak(cluster.leaving()) {
+            return Some(ending);
+        }
+        for side in cluster.leaving() {
+            self.balls.set_off(side.ball, &side.course);
+        }
+        let mut first = None;
+        for side in cluster.leaving() {
+            let row = Row::of(&self.balls, side.ball);
+            // the pair itself belongs to the row of the first
+            let row = match first {
+                None => row,
+                Some(first) => row.without_ball(first),
+            };
+            first = first.or(Some(side.ball));
+            self.agenda.predict(&row);
+        }
+        cluster.turn_as(&self.balls);
+        self.journal.cluster_impact(&self.balls, &cluster);
+        None
+    }
+
+    /// Counts impacts of balls while no time passes; answers when there are too many to be finite.
+    #[inline]
+    fn streak<'s>(
+        &mut self,
+        hit: impl IntoIterator<Item = &'s ImpactSide<T>> + Clone,
+    ) -> Option<Ending> {
+        let balls = hit.clone().into_iter().map(|side| side.ball);
+        let collapsed = self.streaks.count(balls, self.balls.now())?;
+        let balls: Vec<usize> = hit.into_iter().map(|side| side.ball).collect();
+        Some(Ending::Collapsed(self.balls.spot(&balls, &collapsed)))
+    }
+
+    /// The phase of a ball ends by itself.
+    #[inline(never)]
+    fn phase_end(&mut self, ball: usize) -> Option<Ending> {
+        let end = PhaseEnd::of(&self.balls, ball);
+        let row = Row::setting_off(&self.balls, ball, &end.course.flight);
+        let mut ending = None;
+        let next = if end.stops {
+            let mut watch = Watch::new(self.balls.world().blur.length, None);
+            let next = self.agenda.foresee(&row, Some(&mut watch));
+            if !watch.is_clear() {
+                ending = ambiguity::of_stop(&self.balls, ball, watch);
+            }
+            next
+        } else {
+            self.agenda.foresee(&row, None)
+        };
+        self.balls.set_off(ball, &end.course);
+        self.agenda.schedule(ball, next);
+        self.journal.phase_end(&self.balls, &end);
+        ending
+    }
+
+    /// A ball leaves play.
+    #[cold]
+    #[inline(never)]
+    fn pocket(&mut self, ball: usize, pocket: u32) {
+        let (position, velocity) = self.balls.at(ball);
+        let spin = self.balls.spin_now(ball);
+        let last = self.balls.state(ball, position, velocity, spin);
+        self.balls.take_out(ball);
+        self.agenda.schedule(ball, Candidate::none());
+        self.journal.pocket(&self.balls, ball, &last, pocket);
     }
 }
 
@@ -457,7 +360,7 @@ impl<T: Real> Loop<'_, T> {
 mod tests {
     use super::*;
     use crate::math::Vec3;
-    use crate::physics::{Cloth, Contact, Cushion, Effects};
+    use crate::physics::{Cloth, Contact, Cushion, Effects, State};
     use crate::scene::{Ball, Simultaneous, Table, Units};
 
     fn three_balls() -> Scene {

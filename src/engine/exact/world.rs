@@ -129,7 +129,7 @@ impl<T: Real> World<T> {
     }
 
     /// What the place of a ball is good to at a time that is itself rounded, length.
-    pub fn blur_of_places(&self) -> f64 {
+    pub fn position_uncertainty(&self) -> f64 {
         let clock = T::ULP * self.duration.to_f64();
         self.blur.length.to_f64() + ROUNDINGS * clock * self.fastest.to_f64()
     }

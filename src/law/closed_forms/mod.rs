@@ -266,7 +266,7 @@ impl Audit<'_> {
     /// resolved that contact too, with an impulse that need not leave an event.
     fn is_crowded(&self, event: &Event) -> bool {
         // what both places are good to over the whole run
-        let reach = 2.0 * self.scene.place_blur();
+        let reach = 2.0 * self.scene.position_uncertainty();
         let place = |ball: usize| {
             let state = self.trace.paths[ball].state_at(event.time)?;
             Some(plan(&state.position))

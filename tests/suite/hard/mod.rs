@@ -135,7 +135,7 @@ fn laws_broken(scene: &Scene, trace: &Trace) -> Vec<String> {
     hold(
         "outside",
         trace.extrema.outside.value,
-        scene.place_blur() + fastest * dt,
+        scene.position_uncertainty() + fastest * dt,
     );
     // two products and a sum for each of two balls in each impact, each of which may round up
     hold(
@@ -172,14 +172,14 @@ fn laws_broken(scene: &Scene, trace: &Trace) -> Vec<String> {
         hold(
             "overlap by parry",
             deepest_overlap(scene, trace),
-            2.0 * scene.place_blur(),
+            2.0 * scene.position_uncertainty(),
         );
     } else if scene.balls.len() == 2 {
         // a pair alone: found one step after contact at the latest, then it separates
         hold(
             "overlap",
             trace.extrema.overlap.value,
-            scene.place_blur() + 2.0 * fastest * dt,
+            scene.position_uncertainty() + 2.0 * fastest * dt,
         );
     }
     broken

@@ -127,6 +127,64 @@ enum Goal<T> {
     Returned(T),
 }
 
+/// A step that is about to be tried.
+struct Plan {
+    /// Impulse to what is nearest: the goal, or the end of a slip.
+    near: f64,
+    /// Its length.
+    impulse: f64,
+    /// The contact whose slip ends in it.
+    ends: Option<usize>,
+    /// Whether it ends on the goal.
+    lands: bool,
+}
+
+/// How far the next step goes.
+struct Pacing {
+    /// Its length as a share of what is nearest: the goal, or the end of a slip.
+    share: f64,
+    /// Whether the last one went past the goal.
+    overshot: bool,
+    /// Impulse at which friction will no longer hold, once that is known.
+    edge: f64,
+    /// Its length after a slip has begun: where there is a slip at all, its direction is smooth over a multiple of the impulse since it
+    /// began.
+    reach: f64,
+}
+
+impl Pacing {
+    fn new() -> Self {
+        Pacing {
+            share: 1.0,
+            overshot: false,
+            edge: f64::INFINITY,
+            reach: f64::INFINITY,
+        }
+    }
+
+    /// After a step that was not taken.
+    fn shorten(&mut self, plan: &Plan) {
+        self.share = 0.3 * plan.impulse / plan.near;
+        self.overshot = false;
+    }
+
+    /// After one that was, by an extrapolation with so many `rows`; `creeps`: whether a contact creeps.
+    fn go_on(&mut self, plan: &Plan, rows: usize, creeps: bool) {
+        self.share = match rows {
+            ..=5 => f64::min(2.0 * self.share, LONGEST),
+            6 => self.share,
+            _ => 0.8 * self.share,
+        };
+        self.reach = if creeps {
+            GROWTH * plan.impulse
+        } else if self.reach < plan.near {
+            GROWTH * self.reach
+        } else {
+            f64::INFINITY
+        };
+    }
+}
+
 /// An impact on its way.
 struct Integration<T> {
     contacts: Contacts<T>,
@@ -200,109 +258,112 @@ impl<T: Real> Integration<T> {
 
     /// Goes on until `goal` is reached; false if that takes too many steps.
     fn until(&mut self, goal: Goal<T>) -> bool {
-        // length of the next step as a share of what is nearest: the goal, or the end of a slip
-        let mut share: f64 = 1.0;
-        let mut overshot = false;
-        // impulse at which friction will no longer hold, once that is known
-        let mut edge = f64::INFINITY;
-        // length of the next step after a slip has begun: where there is a slip at all, its direction is smooth over a multiple
-        // of the impulse since it began
-        let mut reach = f64::INFINITY;
+        let mut pacing = Pacing::new();
         while self.steps < MOST_STEPS {
             self.steps += 1;
             // what was left of a slip may have been taken away beyond the goal
             if is_past(goal, &self.state) {
                 if let Goal::Stopped = goal {
-                    self.error += self.state[0].abs().to_f64();
-                    self.state[0] = T::zero();
+                    self.halt();
                 }
                 return true;
             }
             let rates = self.contacts.rates(&self.state, &self.modes);
             if self.is_wedged(goal, &rates) {
-                self.error += self.state[0].abs().to_f64();
-                self.state[0] = T::zero();
+                self.halt();
                 return true;
             }
-            let far = self.impulse_to(goal, &rates);
-            let to_rest = [NOSE, CLOTH].map(|contact| self.impulse_to_rest(contact, &rates));
-            // the slip that ends first, if that is soon
-            let sooner =
-                to_rest[NOSE].unwrap_or(f64::INFINITY) <= to_rest[CLOTH].unwrap_or(f64::INFINITY);
-            let first = if sooner { NOSE } else { CLOTH };
-            let ends = to_rest[first]
-                .filter(|impulse| *impulse < SOON * far && self.modes[first] == Mode::Slips)
-                .map(|_| first);
-            let creep = [NOSE, CLOTH].map(|contact| self.impulse_of_creep(contact, &rates));
-            let near = to_rest.iter().chain(&creep).flatten();
-            let near = near.copied().fold(far, f64::min);
-            let share_now = if ends.is_some() {
-                share
-            } else {
-                share.min(1.0)
-            };
-            let impulse = (share_now * near).min(edge).min(reach);
-            let lands = overshot || (impulse >= near && ends.is_none() && self.sees(goal));
-            let taken = if lands {
-                self.land(goal)
-            } else {
-                self.advance(impulse, ends)
-            };
-            let Some(taken) = taken else {
-                share = 0.3 * impulse / near;
-                overshot = false;
-                continue;
-            };
-            if !lands && is_past(goal, &taken.end) {
-                overshot = true;
-                continue;
-            }
-            let (before, held) = (self.state, self.margin());
-            self.state = taken.end;
-            let holds = self.margin();
-            if holds < 0.0 && impulse > self.accuracy.leave {
-                self.state = before;
-                let part = f64::max(held, 0.0) / (f64::max(held, 0.0) - holds);
-                edge = f64::max(CAUTION * part * impulse, self.accuracy.leave);
-                overshot = false;
-                continue;
-            }
-            if [NOSE, CLOTH]
-                .into_iter()
-                .any(|contact| self.crept(contact, 2.0))
-                || self.turned_back(&before)
-            {
-                self.state = before;
-                share = 0.3 * impulse / near;
-                overshot = false;
-                continue;
-            }
-            self.error += taken.error
-                + self.accuracy.rounding
-                + self.lags().map(|lag| lag * lag).iter().sum::<f64>() * impulse;
-            if lands {
+            let plan = self.plan(goal, &rates, &pacing);
+            if self.attempt(goal, &plan, &mut pacing) {
                 return true;
             }
-            let slope = (held - holds) / impulse;
-            edge = if edge.is_finite() && holds >= 0.0 && slope > 0.0 {
-                f64::max(CAUTION * holds / slope, self.accuracy.leave)
-            } else {
-                f64::INFINITY
-            };
-            share = match taken.rows {
-                ..=5 => f64::min(2.0 * share, LONGEST),
-                6 => share,
-                _ => 0.8 * share,
-            };
-            reach = if self.modes.contains(&Mode::Creeps) {
-                GROWTH * impulse
-            } else if reach < near {
-                GROWTH * reach
-            } else {
-                f64::INFINITY
-            };
-            self.change_modes(ends);
         }
+        false
+    }
+
+    /// What is left of the speed into the cushion is error.
+    fn halt(&mut self) {
+        self.error += self.state[0].abs().to_f64();
+        self.state[0] = T::zero();
+    }
+
+    /// The next step.
+    fn plan(&self, goal: Goal<T>, rates: &State<T>, pacing: &Pacing) -> Plan {
+        let far = self.impulse_to(goal, rates);
+        let to_rest = [NOSE, CLOTH].map(|contact| self.impulse_to_rest(contact, rates));
+        // the slip that ends first, if that is soon
+        let sooner =
+            to_rest[NOSE].unwrap_or(f64::INFINITY) <= to_rest[CLOTH].unwrap_or(f64::INFINITY);
+        let first = if sooner { NOSE } else { CLOTH };
+        let ends = to_rest[first]
+            .filter(|impulse| *impulse < SOON * far && self.modes[first] == Mode::Slips)
+            .map(|_| first);
+        let creep = [NOSE, CLOTH].map(|contact| self.impulse_of_creep(contact, rates));
+        let near = to_rest.iter().chain(&creep).flatten();
+        let near = near.copied().fold(far, f64::min);
+        let share = if ends.is_some() {
+            pacing.share
+        } else {
+            pacing.share.min(1.0)
+        };
+        let impulse = (share * near).min(pacing.edge).min(pacing.reach);
+        Plan {
+            near,
+            impulse,
+            ends,
+            lands: pacing.overshot || (impulse >= near && ends.is_none() && self.sees(goal)),
+        }
+    }
+
+    /// Tries a step, and takes it or has it tried shorter; true if it reached `goal`.
+    fn attempt(&mut self, goal: Goal<T>, plan: &Plan, pacing: &mut Pacing) -> bool {
+        let impulse = plan.impulse;
+        let taken = if plan.lands {
+            self.land(goal)
+        } else {
+            self.advance(impulse, plan.ends)
+        };
+        let Some(taken) = taken else {
+            pacing.shorten(plan);
+            return false;
+        };
+        if !plan.lands && is_past(goal, &taken.end) {
+            pacing.overshot = true;
+            return false;
+        }
+        let (before, held) = (self.state, self.margin());
+        self.state = taken.end;
+        let holds = self.margin();
+        if holds < 0.0 && impulse > self.accuracy.leave {
+            self.state = before;
+            let part = f64::max(held, 0.0) / (f64::max(held, 0.0) - holds);
+            pacing.edge = f64::max(CAUTION * part * impulse, self.accuracy.leave);
+            pacing.overshot = false;
+            return false;
+        }
+        if [NOSE, CLOTH]
+            .into_iter()
+            .any(|contact| self.crept(contact, 2.0))
+            || self.turned_back(&before)
+        {
+            self.state = before;
+            pacing.shorten(plan);
+            return false;
+        }
+        self.error += taken.error
+            + self.accuracy.rounding
+            + self.lags().map(|lag| lag * lag).iter().sum::<f64>() * impulse;
+        if plan.lands {
+            return true;
+        }
+        let slope = (held - holds) / impulse;
+        pacing.edge = if pacing.edge.is_finite() && holds >= 0.0 && slope > 0.0 {
+            f64::max(CAUTION * holds / slope, self.accuracy.leave)
+        } else {
+            f64::INFINITY
+        };
+        pacing.go_on(plan, taken.rows, self.modes.contains(&Mode::Creeps));
+        self.change_modes(plan.ends);
         false
     }
 

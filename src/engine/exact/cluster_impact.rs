@@ -1,0 +1,229 @@
+//! An instant with several contacts, resolved together by the scene's convention: what happens to each ball of the cluster, as a value.
+//!
+//! Every contact that took part is one row with its whole impulse, in the order in which the contacts came to bear. Between
+//! the rows of one instant the balls have the velocities that the impulses so far give them; what conserves energy is the
+//! instant as a whole, so that is what is booked.
+
+use super::agenda::Agenda;
+use super::ambiguity::indeterminate;
+use super::impact::{Arrival, ImpactSide};
+use super::kinematics::Kinematics;
+use super::reflections::{Approaching, Constraint, Reflected};
+use super::simultaneous::{Cluster, Touch};
+use crate::math::Real;
+use crate::physics::{Contact, Cushion, Side};
+use crate::trace::Ending;
+
+/// A gap larger than this part of the smallest radius is none that a convention about touching balls can close.
+const FARTHEST: f64 = 1e-6;
+
+/// What an instant with several contacts does.
+#[derive(Clone, Debug)]
+pub struct ClusterImpact<T: Real> {
+    /// Every ball of the cluster, on both sides of the instant.
+    pub sides: Vec<ImpactSide<T>>,
+    /// Those that leave on another course, as indices into `sides`.
+    pub leaving: Vec<usize>,
+    /// What each contact did, in order.
+    pub rows: Vec<ContactRow<T>>,
+}
+
+/// What one contact did at the instant.
+#[derive(Clone, Debug)]
+pub struct ContactRow<T: Real> {
+    /// The balls that it moved.
+    pub first: RowSide<T>,
+    /// The other one, or the cushion.
+    pub second: Met<T>,
+}
+
+/// What a ball met.
+#[derive(Clone, Copy, Debug)]
+pub enum Met<T: Real> {
+    /// A ball.
+    Ball(RowSide<T>),
+    /// A cushion.
+    Cushion(Side),
+}
+
+/// A ball on both sides of one contact.
+#[derive(Clone, Copy, Debug)]
+pub struct RowSide<T: Real> {
+    /// Index into the sides of the instant.
+    pub member: usize,
+    /// Velocity before this contact.
+    pub before: [T; 2],
+    /// Velocity after it.
+    pub after: [T; 2],
+    /// Whether it is the ball's last row of the instant.
+    pub closes: bool,
+}
+
+impl<T: Real> ClusterImpact<T> {
+    /// Resolves the cluster around `seeds`, all of whose balls are on the near side of the instant; `window`: what its time
+    /// is good to, s. Errors: the ending of a run that cannot go on from here.
+    #[cold]
+    pub fn of(
+        balls: &Kinematics<'_, T>,
+        agenda: &Agenda<T>,
+        seeds: &[usize],
+        window: T,
+    ) -> Result<Self, Ending> {
+        let state = |ball: usize| balls.at(ball);
+        let spin = |ball: usize| balls.spin_now(ball);
+        let cluster = Cluster::within(balls, agenda, seeds, &state, &spin, window);
+        if reaches_out(balls, &cluster) {
+            return Err(indeterminate(balls, &cluster.balls));
+        }
+        let constraints = constraints(&cluster);
+        let mass = cluster.masses();
+        let Some(found) = reflect(&cluster, &constraints, &mass) else {
+            return Err(Ending::Collapsed(balls.spot(
+                &cluster.balls,
+                "reflections of the contacts at one instant follow each other without end",
+            )));
+        };
+        let sides = cluster.balls.iter().zip(&found.velocities);
+        let sides = sides.map(|(ball, after)| Arrival::of(balls, *ball).pushed(balls, *after));
+        let sides: Vec<ImpactSide<T>> = sides.collect();
+        if !sides.iter().all(ImpactSide::is_finite) {
+            return Err(Ending::NotFinite(
+                balls.spot(&cluster.balls, "the impacts left no finite velocity"),
+            ));
+        }
+        let leaves = |side: &ImpactSide<T>| side.after != side.before || seeds.contains(&side.ball);
+        Ok(ClusterImpact {
+            rows: rows(&cluster, &constraints, &mass, &found),
+            leaving: (0..sides.len()).filter(|i| leaves(&sides[*i])).collect(),
+            sides,
+        })
+    }
+
+    /// Takes over how the balls turn that have set off: the convention leaves spins alone, and a ball that rolls on turns as it rolls.
+    pub fn turn_as(&mut self, balls: &Kinematics<'_, T>) {
+        for side in &mut self.sides {
+            side.spin_before = balls.spin_now(side.ball);
+            side.spin_after = side.spin_before;
+        }
+    }
+
+    /// The sides that leave on another course.
+    pub fn leaving(&self) -> impl Iterator<Item = &ImpactSide<T>> + Clone {
+        self.leaving.iter().map(|member| &self.sides[*member])
+    }
+}
+
+/// Reflects the cluster; `None` if there is no end to it, or a law loses energy or rubs.
+fn reflect<T: Real>(
+    cluster: &Cluster<'_, T>,
+    constraints: &[Constraint<T>],
+    mass: &[T],
+) -> Option<Reflected<T>> {
+    // exhaustive: a law with losses or friction has to say here what it means for several contacts
+    match (cluster.world.contact, cluster.world.cushion) {
+        (None | Some(Contact::Elastic {}), None | Some(Cushion::Elastic {})) => {}
+        (Some(Contact::Inelastic { .. }), _)
+        | (
+            _,
+            Some(
+                Cushion::Restitution { .. }
+                | Cushion::Han2005 { .. }
+                | Cushion::Mathavan2010 { .. },
+            ),
+        ) => return None,
+    }
+    let approaching = Approaching {
+        constraints,
+        mass,
+        velocities: &cluster.velocities,
+        slow: cluster.world.blur.speed,
+    };
+    // what reflects is smooth, and leaves spins alone
+    let mut spins = cluster.spins.clone();
+    approaching.reflect(|contact, velocities| {
+        cluster.apply(cluster.touches[contact], velocities, &mut spins);
+    })
+}
+
+/// The contacts of a cluster as bounds on velocities, in the order of its touches.
+fn constraints<T: Real>(cluster: &Cluster<'_, T>) -> Vec<Constraint<T>> {
+    let bound = |touch: &Touch<T>| match *touch {
+        Touch::Pair(a, b, n) => Constraint {
+            first: (a, [n.x, n.y]),
+            second: Some((b, [-n.x, -n.y])),
+        },
+        Touch::Cushion(a, side) => {
+            let mut outward = [T::zero(); 2];
+            outward[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
+            Constraint {
+                first: (a, outward),
+                second: None,
+            }
+        }
+    };
+    cluster.touches.iter().map(bound).collect()
+}
+
+/// Whether a contact of the cluster is one only because the time of the instant is uncertain: an impact that is slow beside
+/// other balls happens at any time within which they may get somewhere else. The convention is about balls that touch.
+fn reaches_out<T: Real>(balls: &Kinematics<'_, T>, cluster: &Cluster<'_, T>) -> bool {
+    let world = balls.world();
+    let smallest = world.radius.iter().copied().reduce(T::at_most);
+    let farthest = smallest.map_or(T::zero(), |radius| radius * T::lift(FARTHEST));
+    cluster.touches.iter().any(|touch| {
+        let gap = match *touch {
+            Touch::Pair(a, b, _) => {
+                let (a, b) = (cluster.balls[a], cluster.balls[b]);
+                let ([x, y], [u, v]) = (balls.place(a), balls.place(b));
+                ((u - x) * (u - x) + (v - y) * (v - y)).sqrt() - world.distance(a, b)
+            }
+            Touch::Cushion(a, side) => {
+                let a = cluster.balls[a];
+                (world.reach[a][side as usize] - balls.place(a)[side.axis()]).abs()
+            }
+        };
+        gap > farthest
+    })
+}
+
+/// The impulses one after the other, each from where the ones before left its members; the last of a member leaves it with
+/// exactly its velocity after the instant.
+fn rows<T: Real>(
+    cluster: &Cluster<'_, T>,
+    constraints: &[Constraint<T>],
+    mass: &[T],
+    found: &Reflected<T>,
+) -> Vec<ContactRow<T>> {
+    let mut now = cluster.velocities.clone();
+    let mut rows: Vec<ContactRow<T>> = Vec::new();
+    for (place, (contact, impulse)) in found.impulses.iter().enumerate() {
+        let before = now.clone();
+        constraints[*contact].push(*impulse, mass, &mut now);
+        let later = &found.impulses[place + 1..];
+        let mut side = |member: usize| {
+            let again =
+                |(other, _): &(usize, T)| constraints[*other].members().any(|m| m == member);
+            let closes = !later.iter().any(again);
+            if closes {
+                now[member] = found.velocities[member];
+            }
+            RowSide {
+                member,
+                before: before[member],
+                after: now[member],
+                closes,
+            }
+        };
+        rows.push(match cluster.touches[*contact] {
+            Touch::Pair(a, b, _) => ContactRow {
+                first: side(a),
+                second: Met::Ball(side(b)),
+            },
+            Touch::Cushion(a, edge) => ContactRow {
+                first: side(a),
+                second: Met::Cushion(edge),
+            },
+        });
+    }
+    rows
+}

@@ -1,0 +1,235 @@
+//! What a run writes down of its events: rows, both sides, the extrema, and how many there were.
+
+use super::cluster_impact::{ClusterImpact, Met, RowSide};
+use super::impact::{Impact, ImpactSide};
+use super::kinematics::Kinematics;
+use super::phases::PhaseEnd;
+use super::predict::Encounter;
+use crate::math::Real;
+use crate::physics::invariants::{kinetic_energy, momentum};
+use crate::physics::{Side, State};
+use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
+use std::collections::BTreeMap;
+
+/// The trace of a run under way. It is told of an event when its balls have set off.
+pub struct Journal<T> {
+    recorder: Recorder,
+    events: u64,
+    ball_ball: u64,
+    ball_cushion: u64,
+    /// Time of every event in the scalar of the run, where someone asks for it.
+    times: Option<Vec<T>>,
+}
+
+impl<T: Real> Journal<T> {
+    /// The journal of balls at time 0. `times`: whether the time of every event is kept in the scalar of the run.
+    pub fn new(
+        balls: &Kinematics<'_, T>,
+        provenance: Provenance,
+        record: Record,
+        times: bool,
+    ) -> Self {
+        Journal {
+            recorder: Recorder::new(balls.scene(), provenance, record, &balls.first_states()),
+            events: 0,
+            ball_ball: 0,
+            ball_cushion: 0,
+            times: times.then(Vec::new),
+        }
+    }
+
+    /// Events so far: rows of the trace.
+    pub fn events(&self) -> u64 {
+        self.events
+    }
+
+    /// Times of the events, s; empty if they are not kept.
+    pub fn take_times(&mut self) -> Vec<T> {
+        self.times.take().unwrap_or_default()
+    }
+
+    fn count(&mut self, now: T) {
+        self.events += 1;
+        if let Some(times) = &mut self.times {
+            times.push(now);
+        }
+    }
+
+    /// An impact that stands by itself.
+    pub fn impact<const N: usize>(&mut self, balls: &Kinematics<'_, T>, impact: &Impact<T, N>) {
+        let sides = &impact.sides;
+        let mut gained = 0.0;
+        for side in sides {
+            gained += gain(balls, side);
+        }
+        let time = balls.now().to_f64();
+        let (first, other) = (&sides[0], sides.get(1));
+        self.recorder
+            .energy_change(time, gained, first.ball, other.map(|other| other.ball));
+        match (impact.encounter, other) {
+            (Encounter::Cushion(_, edge), _) => self.edge(balls, first, edge),
+            (Encounter::Pair(..), Some(other)) => self.exchange(balls, first, other),
+            (Encounter::Pair(..), None) => {}
+        }
+        for side in sides {
+            self.rest(balls, side);
+        }
+    }
+
+    /// An instant at which several contacts were resolved together; its energy is booked as one change.
+    pub fn cluster_impact(&mut self, balls: &Kinematics<'_, T>, cluster: &ClusterImpact<T>) {
+        let gained: f64 = cluster.sides.iter().map(|side| gain(balls, side)).sum();
+        if let Some(first) = cluster.sides.first() {
+            self.recorder
+                .energy_change(balls.now().to_f64(), gained, first.ball, None);
+        }
+        let side = |of: &RowSide<T>| ImpactSide {
+            // by an earlier contact of the instant, if by nothing else
+            moved: true,
+            before: of.before,
+            after: of.after,
+            ..cluster.sides[of.member]
+        };
+        for row in &cluster.rows {
+            let first = side(&row.first);
+            match &row.second {
+                Met::Ball(second) => {
+                    self.exchange(balls, &first, &side(second));
+                    if row.first.closes {
+                        self.rest(balls, &first);
+                    }
+                    if second.closes {
+                        self.rest(balls, &side(second));
+                    }
+                }
+                Met::Cushion(edge) => {
+                    self.edge(balls, &first, *edge);
+                    if row.first.closes {
+                        self.rest(balls, &first);
+                    }
+                }
+            }
+        }
+    }
+
+    /// One contact of two balls: all but energy and stops.
+    fn exchange(&mut self, balls: &Kinematics<'_, T>, one: &ImpactSide<T>, other: &ImpactSide<T>) {
+        let (a, b) = (one.ball, other.ball);
+        let time = balls.now().to_f64();
+        let ((a0, a1), (b0, b1)) = (both(balls, one), both(balls, other));
+        self.count(balls.now());
+        self.ball_ball += 1;
+        let event = self
+            .recorder
+            .event(time, EventKind::ball_ball(a, b), Some(1));
+        self.recorder.jump(a, time, &a0, &a1, event);
+        self.recorder.jump(b, time, &b0, &b1, event);
+        let scene = balls.scene();
+        let (ma, mb) = (scene.balls[a].mass, scene.balls[b].mass);
+        let change =
+            (momentum(&a1, ma) - momentum(&a0, ma)) + (momentum(&b1, mb) - momentum(&b0, mb));
+        self.recorder.momentum_error(time, change.norm(), a, b);
+        let x = other.position[0] - one.position[0];
+        let y = other.position[1] - one.position[1];
+        let overlap = balls.world().distance(a, b) - (x * x + y * y).sqrt();
+        self.recorder.overlap(time, overlap.to_f64(), a, b);
+    }
+
+    /// One contact with a cushion: all but energy and stops.
+    fn edge(&mut self, balls: &Kinematics<'_, T>, one: &ImpactSide<T>, side: Side) {
+        let a = one.ball;
+        let time = balls.now().to_f64();
+        let (before, after) = both(balls, one);
+        self.count(balls.now());
+        self.ball_cushion += 1;
+        let kind = EventKind::BallCushion(a as u32, side);
+        let event = self.recorder.event(time, kind, Some(1));
+        self.recorder.jump(a, time, &before, &after, event);
+        let beyond = one.position[side.axis()] - balls.world().reach[a][side as usize];
+        let beyond = if side.sign() < 0 { -beyond } else { beyond };
+        self.recorder.outside(time, beyond.to_f64(), a);
+    }
+
+    /// A ball that an impact brought to rest, if it moved before.
+    fn rest(&mut self, balls: &Kinematics<'_, T>, side: &ImpactSide<T>) {
+        let zero = [T::zero(); 2];
+        if side.moved && side.before != zero && side.after == zero {
+            let spin = balls.spin_now(side.ball);
+            let at_rest = balls.state(side.ball, side.position, zero, spin);
+            self.count(balls.now());
+            self.recorder
+                .stop(side.ball, balls.now().to_f64(), &at_rest, &at_rest);
+        }
+    }
+
+    /// A phase that ended by itself.
+    pub fn phase_end(&mut self, balls: &Kinematics<'_, T>, end: &PhaseEnd<T>) {
+        let (ball, time) = (end.ball, balls.now().to_f64());
+        let mut near = &end.before;
+        if end.unspun {
+            self.count(balls.now());
+            let kind = EventKind::SpinEnd(ball as u32);
+            self.recorder.phase(ball, time, near, &end.after, kind);
+            // what else ends at this instant finds the ball on the far side
+            near = &end.after;
+        }
+        if end.rolls {
+            self.count(balls.now());
+            let kind = EventKind::SlideToRoll(ball as u32);
+            self.recorder.phase(ball, time, near, &end.after, kind);
+        }
+        if end.stops {
+            self.count(balls.now());
+            self.recorder.stop(ball, time, near, &end.after);
+        }
+    }
+
+    /// A ball that left play in `state`.
+    pub fn pocket(&mut self, balls: &Kinematics<'_, T>, ball: usize, state: &State, pocket: u32) {
+        self.count(balls.now());
+        self.recorder
+            .pocket(ball, balls.now().to_f64(), state, pocket);
+    }
+
+    /// The trace, rounded to f64. `further`: counters besides those of events.
+    pub fn finish(
+        self,
+        balls: &Kinematics<'_, T>,
+        ending: Ending,
+        further: impl IntoIterator<Item = (&'static str, u64)>,
+    ) -> Trace {
+        let own = [
+            ("events", self.events),
+            ("ball_ball", self.ball_ball),
+            ("ball_cushion", self.ball_cushion),
+        ];
+        let counters = own.into_iter().chain(further);
+        let counters: BTreeMap<String, u64> =
+            counters.map(|(name, n)| (name.to_owned(), n)).collect();
+        self.recorder
+            .finish(balls.now().to_f64(), &balls.states(), ending, counters)
+    }
+}
+
+fn both<T: Real>(balls: &Kinematics<'_, T>, side: &ImpactSide<T>) -> (State, State) {
+    (
+        balls.state(side.ball, side.position, side.before, side.spin_before),
+        balls.state(side.ball, side.position, side.after, side.spin_after),
+    )
+}
+
+/// Change of a ball's kinetic energy.
+fn gain<T: Real>(balls: &Kinematics<'_, T>, side: &ImpactSide<T>) -> f64 {
+    let scene = balls.scene();
+    let mass = scene.balls[side.ball].mass;
+    if !balls.rotates() {
+        let energy = |velocity: [T; 2]| {
+            let [x, y] = velocity.map(T::to_f64);
+            0.5 * mass * (x * x + y * y)
+        };
+        return energy(side.after) - energy(side.before);
+    }
+    let (before, after) = both(balls, side);
+    let inertia = scene.inertia(side.ball);
+    kinetic_energy(&after, mass, inertia) - kinetic_energy(&before, mass, inertia)
+}

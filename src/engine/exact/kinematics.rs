@@ -1,0 +1,348 @@
+//! What every ball does, and the clock: each ball's course since its own last event.
+//!
+//! Only here does a ball change its course, and whoever holds the kinematics can rely on three things: the clock never goes back; every
+//! change of a course is counted with its ball, so that a prediction made before it is known to be stale; and the number of balls that
+//! move or turn is that of the courses. Everything else reads: an impact or the end of a phase is first decided as a value and
+//! then set off.
+
+use super::flight::{Flight, Phase};
+use super::spin::{Moving, Spin};
+use super::world::World;
+use crate::math::{Real, Vec3};
+use crate::physics::State;
+use crate::scene::Scene;
+use crate::trace::Spot;
+
+/// How a ball goes on until its next event.
+#[derive(Clone, Copy, Debug)]
+pub struct Course<T> {
+    /// How its centre moves.
+    pub flight: Flight<T>,
+    /// How it turns meanwhile; `None` in a scene that does not call for rotation.
+    pub spin: Option<Spin<T>>,
+}
+
+impl<T: Real> Course<T> {
+    /// True while the ball moves or turns.
+    fn is_active(&self) -> bool {
+        self.flight.moves() || self.spin.as_ref().is_some_and(Spin::turns)
+    }
+}
+
+/// All balls at one time.
+#[derive(Clone, Debug)]
+pub struct Kinematics<'a, T: Real> {
+    scene: &'a Scene,
+    world: World<T>,
+    flights: Vec<Flight<T>>,
+    /// Empty in a scene that does not call for rotation.
+    spins: Vec<Spin<T>>,
+    /// How often every ball has changed its course.
+    versions: Vec<u32>,
+    /// Balls that move or turn.
+    active: usize,
+    now: T,
+}
+
+impl<'a, T: Real> Kinematics<'a, T> {
+    /// A scene at time 0.
+    pub fn new(scene: &'a Scene) -> Self {
+        let world = World::new(scene);
+        let (flights, spins) = world.first_flights(scene);
+        let mut kinematics = Kinematics {
+            scene,
+            world,
+            versions: vec![0; flights.len()],
+            flights,
+            spins,
+            active: 0,
+            now: T::zero(),
+        };
+        let all = 0..kinematics.count();
+        kinematics.active = all
+            .filter(|ball| kinematics.course_of(*ball).is_active())
+            .count();
+        kinematics
+    }
+
+    /// The scene: names, and the third dimension of states.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// What stays the same.
+    #[inline]
+    pub fn world(&self) -> &World<T> {
+        &self.world
+    }
+
+    /// Number of balls.
+    #[inline]
+    pub fn count(&self) -> usize {
+        self.flights.len()
+    }
+
+    /// The time, s.
+    #[inline]
+    pub fn now(&self) -> T {
+        self.now
+    }
+
+    /// Sets the clock to `time`, s; never back.
+    #[inline]
+    pub fn advance(&mut self, time: T) {
+        self.now = self.now.at_least(time);
+    }
+
+    /// How the centres of all balls move.
+    #[inline]
+    pub fn flights(&self) -> &[Flight<T>] {
+        &self.flights
+    }
+
+    /// How the centre of a ball moves.
+    #[inline]
+    pub fn flight(&self, ball: usize) -> &Flight<T> {
+        &self.flights[ball]
+    }
+
+    /// How often a ball has changed its course.
+    #[inline]
+    pub fn version(&self, ball: usize) -> u32 {
+        self.versions[ball]
+    }
+
+    /// The count of changes that a ball will have once it has set off again.
+    #[inline]
+    pub fn next_version(&self, ball: usize) -> u32 {
+        self.versions[ball].wrapping_add(1)
+    }
+
+    /// True in a scene that calls for rotation.
+    #[inline]
+    pub fn rotates(&self) -> bool {
+        !self.spins.is_empty()
+    }
+
+    /// True if no ball moves or turns.
+    pub fn all_rest(&self) -> bool {
+        self.active == 0
+    }
+
+    /// Centre and velocity of a ball now.
+    #[inline]
+    pub fn at(&self, ball: usize) -> ([T; 2], [T; 2]) {
+        self.flights[ball].at(self.now)
+    }
+
+    /// Centre of a ball now.
+    pub fn place(&self, ball: usize) -> [T; 2] {
+        self.at(ball).0
+    }
+
+    /// Angular velocity of a ball now, rad/s; zero in a scene that does not call for rotation.
+    #[inline]
+    pub fn spin_now(&self, ball: usize) -> [T; 3] {
+        match self.spins.get(ball) {
+            None => [T::zero(); 3],
+            Some(spin) => spin.after(self.now - self.flights[ball].start),
+        }
+    }
+
+    /// How a ball moves now.
+    pub fn moving(&self, ball: usize) -> Moving<T> {
+        let (position, velocity) = self.at(ball);
+        Moving {
+            position,
+            velocity,
+            spin: self.spin_now(ball),
+        }
+    }
+
+    /// What a ball does.
+    pub fn course_of(&self, ball: usize) -> Course<T> {
+        Course {
+            flight: self.flights[ball],
+            spin: self.spins.get(ball).copied(),
+        }
+    }
+
+    /// How a ball would go on from here and now.
+    #[inline]
+    pub fn course(&self, ball: usize, moving: Moving<T>) -> Course<T> {
+        match &self.world.rotation {
+            None => Course {
+                flight: Flight::new(
+                    self.world.ground,
+                    self.now,
+                    moving.position,
+                    moving.velocity,
+                ),
+                spin: None,
+            },
+            Some(rotation) => {
+                let (flight, spin) = rotation.depart(self.world.radius[ball], self.now, moving);
+                Course {
+                    flight,
+                    spin: Some(spin),
+                }
+            }
+        }
+    }
+
+    /// Puts a ball on another course.
+    #[inline]
+    pub fn set_off(&mut self, ball: usize, course: &Course<T>) {
+        let mut was_active = self.flights[ball].moves();
+        let mut is_active = course.flight.moves();
+        if let Some(next) = &course.spin
+            && let Some(spin) = self.spins.get_mut(ball)
+        {
+            was_active |= spin.turns();
+            is_active |= next.turns();
+            *spin = *next;
+        }
+        self.active += usize::from(is_active);
+        self.active -= usize::from(was_active);
+        self.flights[ball] = course.flight;
+        self.versions[ball] = self.next_version(ball);
+    }
+
+    /// Takes a ball out of play: from here on it is nowhere, and nothing meets it.
+    #[cold]
+    pub fn take_out(&mut self, ball: usize) {
+        let zero = T::zero();
+        let nowhere = Flight {
+            start: self.now,
+            end: T::lift(f64::INFINITY),
+            position: [T::lift(f64::INFINITY); 2],
+            velocity: [zero; 2],
+            acceleration: [zero; 2],
+            fastest: zero,
+            phase: Phase::Rest,
+        };
+        let course = Course {
+            flight: nowhere,
+            spin: self.rotates().then(Spin::none),
+        };
+        self.set_off(ball, &course);
+    }
+
+    /// States with which all balls began what they do, in f64.
+    pub fn first_states(&self) -> Vec<State> {
+        let read = |ball: usize| {
+            let flight = &self.flights[ball];
+            let spin = self.spins.get(ball).map(|spin| spin.after(T::zero()));
+            let spin = spin.unwrap_or([T::zero(); 3]);
+            self.state(ball, flight.position, flight.velocity, spin)
+        };
+        (0..self.count()).map(read).collect()
+    }
+
+    /// States of all balls now, in f64.
+    pub fn states(&self) -> Vec<State> {
+        let read = |ball: usize| {
+            let (position, velocity) = self.at(ball);
+            self.state(ball, position, velocity, self.spin_now(ball))
+        };
+        (0..self.count()).map(read).collect()
+    }
+
+    /// A state in f64 for the trace: what is given, in the plane of the ball's centre.
+    pub fn state(&self, ball: usize, position: [T; 2], velocity: [T; 2], spin: [T; 3]) -> State {
+        let height = self.scene.balls[ball].state.position.z;
+        State {
+            position: Vec3::new(position[0].to_f64(), position[1].to_f64(), height),
+            velocity: Vec3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
+            spin: spin.map(T::to_f64).into(),
+        }
+    }
+
+    /// Here and now.
+    pub fn spot(&self, balls: &[usize], why: &str) -> Spot {
+        Spot {
+            time: self.now.to_f64(),
+            balls: balls.iter().map(|b| *b as u32).collect(),
+            why: why.to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Draws;
+    use crate::scene::catalogue;
+
+    fn scene(name: &str) -> Scene {
+        catalogue::scene(name).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// A ball that moves, turns on the spot, or does neither.
+    fn drawn(balls: &Kinematics<'_, f64>, ball: usize, draws: &mut Draws) -> Moving<f64> {
+        let velocity = [draws.between(-1.0, 1.0), draws.between(-1.0, 1.0)];
+        let turning = [0.0, 0.0, draws.between(-9.0, 9.0)];
+        let (velocity, spin) = match draws.bits() % 3 {
+            0 => (velocity, turning),
+            1 => ([0.0; 2], turning),
+            _ => ([0.0; 2], [0.0; 3]),
+        };
+        Moving {
+            position: balls.place(ball),
+            velocity,
+            spin,
+        }
+    }
+
+    #[test]
+    fn every_change_of_a_course_is_counted_with_its_ball_and_in_what_is_active() {
+        // without rotation, and with it
+        for name in ["report-break", "pool-break"] {
+            let scene = scene(name);
+            let mut balls = Kinematics::<f64>::new(&scene);
+            let mut draws = Draws::new(3, 0);
+            let mut rested = 0;
+            for round in 0..400 {
+                balls.advance(0.01 * f64::from(round));
+                let ball = (draws.bits() % balls.count() as u64) as usize;
+                let versions = balls.versions.clone();
+                if round % 50 == 49 {
+                    balls.take_out(ball);
+                } else {
+                    let course = balls.course(ball, drawn(&balls, ball, &mut draws));
+                    balls.set_off(ball, &course);
+                }
+                for (other, before) in versions.iter().enumerate() {
+                    let changes = u32::from(other == ball);
+                    assert_eq!(balls.version(other), before + changes, "{name}, {round}");
+                }
+                let all = 0..balls.count();
+                let active = all.filter(|b| balls.course_of(*b).is_active()).count();
+                assert_eq!(balls.active, active, "{name}, round {round}");
+                assert_eq!(balls.all_rest(), active == 0);
+                rested += usize::from(!balls.course_of(ball).is_active());
+            }
+            assert!(rested > 50 && rested < 350, "{name}: {rested} rested");
+        }
+    }
+
+    #[test]
+    fn the_clock_never_goes_back() {
+        let scene = scene("report-break");
+        let mut balls = Kinematics::<f64>::new(&scene);
+        for (time, now) in [(1.0, 1.0), (0.5, 1.0), (1.0, 1.0), (2.0, 2.0)] {
+            balls.advance(time);
+            assert_eq!(balls.now(), now);
+        }
+    }
+
+    #[test]
+    fn a_ball_out_of_play_is_nowhere_and_stays_there() {
+        let scene = scene("pool-break");
+        let mut balls = Kinematics::<f64>::new(&scene);
+        balls.take_out(0);
+        balls.advance(3.0);
+        assert_eq!(balls.place(0), [f64::INFINITY; 2]);
+        assert!(!balls.course_of(0).is_active());
+    }
+}
