@@ -5,14 +5,14 @@ use super::compare::columns;
 use super::cost::price_lists;
 use super::{Failure, scene, terminal, write_site};
 use crate::finding::{Block, Cell, Document, Table};
-use crate::scene::catalogue;
+use crate::scene::{SetName, catalogue};
 use crate::study::{Watch, validation};
 use std::process::ExitCode;
 
 /// Runs the report's scenes, prints the summary and writes every file.
 pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     let scenes = if arguments.scenes.is_empty() {
-        catalogue::set("report")?
+        catalogue::set(SetName::Report)?
     } else {
         arguments
             .scenes

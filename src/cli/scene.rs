@@ -188,7 +188,14 @@ pub fn list_document() -> Result<Document, SceneError> {
         let scene = entry.scene()?;
         rows.push(vec![
             Cell::text(&scene.name),
-            Cell::text(scene.sets.join(" ")),
+            Cell::text(
+                scene
+                    .sets
+                    .iter()
+                    .map(|set| set.id())
+                    .collect::<Vec<_>>()
+                    .join(" "),
+            ),
             Cell::Count(scene.balls.len() as u64),
             Cell::text(scene.effects.named().join(" ")),
             Cell::text(&scene.description),

@@ -6,7 +6,7 @@ use super::exit::Exit;
 use super::{Failure, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
-use crate::scene::{Scene, catalogue};
+use crate::scene::{Scene, SetName, catalogue};
 use crate::study::Watch;
 use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
 use std::process::ExitCode;
@@ -27,7 +27,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     let before = place.read(&names(&question.scenes))?;
     let unread = if arguments.scenes.is_empty() {
         // whether it runs or is left to --full
-        place.unread(&names(&catalogue::set("hard")?))
+        place.unread(&names(&catalogue::set(SetName::Hard)?))
     } else {
         Vec::new()
     };
@@ -74,9 +74,9 @@ fn scenes(arguments: &StabilityArguments) -> Result<Vec<Scene>, Failure> {
     if !arguments.scenes.is_empty() {
         return accepted::named(&arguments.scenes);
     }
-    let mut scenes = catalogue::set("hard")?;
+    let mut scenes = catalogue::set(SetName::Hard)?;
     if !arguments.full {
-        scenes.retain(|scene| !scene.sets.iter().any(|set| set == "full"));
+        scenes.retain(|scene| !scene.is_in(SetName::Full));
     }
     Ok(scenes)
 }

@@ -2,7 +2,7 @@
 //!
 //! A new scene is one file and one line in [`all`]; a test compares the two.
 
-use super::{Scene, SceneError, nearest, parse};
+use super::{Scene, SceneError, SetName, nearest, parse};
 use crate::carried;
 
 /// One scene of the catalogue, as written.
@@ -195,12 +195,12 @@ pub fn scene(name: &str) -> Result<Scene, SceneError> {
     find(name).ok_or_else(|| unknown(name))?.scene()
 }
 
-/// The resolved scenes of one set, such as `report`, in catalogue order.
-pub fn set(set: &str) -> Result<Vec<Scene>, SceneError> {
+/// The resolved scenes of one set, in catalogue order.
+pub fn set(set: SetName) -> Result<Vec<Scene>, SceneError> {
     let mut scenes = Vec::new();
     for entry in all() {
         let scene = entry.scene()?;
-        if scene.sets.iter().any(|member| member == set) {
+        if scene.is_in(set) {
             scenes.push(scene);
         }
     }

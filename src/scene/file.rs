@@ -4,7 +4,7 @@
 //! comment of a field is its description, and what follows the last semicolon of that comment is the advice that an error on
 //! this field gives. Ranges are given as JSON Schema keywords.
 
-use super::Simultaneous;
+use super::choices::{SetName, Simultaneous, TimeUnit};
 use crate::physics::Effects;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,32 +71,6 @@ impl SceneFile {
     }
 }
 
-/// A set of scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum SetName {
-    /// In the default report.
-    Report,
-    /// Held by `check`.
-    Gate,
-    /// A hard case.
-    Hard,
-    /// Only with `--full`, whatever else.
-    Full,
-}
-
-impl SetName {
-    /// The word used in files.
-    pub fn id(self) -> &'static str {
-        match self {
-            SetName::Report => "report",
-            SetName::Gate => "gate",
-            SetName::Hard => "hard",
-            SetName::Full => "full",
-        }
-    }
-}
-
 /// Names of the units, and their size where a law needs it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -113,24 +87,6 @@ pub struct UnitsFile {
     pub mass_in_kg: Option<f64>,
     /// The time unit, which is the second; `time = "s"`.
     pub time: Option<TimeUnit>,
-}
-
-/// What times are measured in. Laws with SI constants, tolerances and defaults are in seconds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum TimeUnit {
-    /// Seconds.
-    #[default]
-    #[serde(rename = "s")]
-    Second,
-}
-
-impl TimeUnit {
-    /// The word used in files.
-    pub fn id(self) -> &'static str {
-        match self {
-            TimeUnit::Second => "s",
-        }
-    }
 }
 
 /// Edges of the playing surface.

@@ -8,6 +8,7 @@ pub mod adversarial;
 mod builder;
 pub mod catalogue;
 mod check;
+mod choices;
 mod diagnostics;
 mod file;
 pub mod format;
@@ -28,11 +29,12 @@ mod shot;
 mod spelled;
 
 pub use builder::SceneBuilder;
+pub use choices::{SetName, Simultaneous, TimeUnit};
 pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest};
 pub use file::{SceneFile, schema};
 pub use names::is_kebab_case;
 pub use printable::{is_hidden, printable};
-pub use resolved::{Ball, Scene, Shot, Simultaneous, Table, Units, plan_vector};
+pub use resolved::{Ball, Scene, Shot, Table, Units, plan_vector};
 pub use spelled::{Spelled, spelled};
 
 use located::Located;

@@ -32,7 +32,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Proble
     let scene = Scene {
         name: file.name,
         description: file.description,
-        sets: file.sets.iter().map(|set| set.id().to_owned()).collect(),
+        sets: file.sets,
         duration: file.duration,
         run_to_duration: file.run_to_duration,
         gravity: file.gravity.unwrap_or(0.0),

@@ -1,13 +1,13 @@
 //! The scene that engines see: nothing implicit.
 
+use super::choices::{SetName, Simultaneous};
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
 use crate::physics::contact::plan_distance;
 use crate::physics::cue::{Strike, speed_from_force};
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
 use crate::physics::{Effects, Side, State};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
 /// A resolved scene: every ball explicit, every default applied, the shot already in the balls' velocities.
@@ -17,8 +17,8 @@ pub struct Scene {
     pub name: String,
     /// One or two sentences: what it is and what would be right.
     pub description: String,
-    /// Sets that it belongs to: `report`, `gate`, `hard`, `full`.
-    pub sets: Vec<String>,
+    /// Sets that it belongs to.
+    pub sets: Vec<SetName>,
     /// Longest simulated time, s, > 0.
     pub duration: f64,
     /// Whether the run goes on to `duration` after everything has come to rest.
@@ -139,20 +139,12 @@ impl Shot {
     }
 }
 
-/// What the exact engine does when an impact involves balls that touch others.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Simultaneous {
-    /// End the run as indeterminate and say where: there is no unique answer.
-    #[default]
-    Refuse,
-    /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012).
-    GeneralizedReflections,
-    /// A single run ends as with `refuse`: the answer is a distribution over small gaps.
-    Ensemble,
-}
-
 impl Scene {
+    /// Whether it belongs to a set.
+    pub fn is_in(&self, set: SetName) -> bool {
+        self.sets.contains(&set)
+    }
+
     /// Index of the cue ball: the shot's ball, else the first in scene order.
     pub fn cue_ball(&self) -> usize {
         self.shot.map_or(0, |shot| shot.ball())

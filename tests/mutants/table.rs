@@ -1,5 +1,6 @@
 //! The table of source mutants, and what the page says of them.
 
+use carom::scene::SetName;
 use carom::study::check::Level;
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -87,7 +88,7 @@ pub fn faults(mutants: &[Mutant], root: &Path) -> Vec<String> {
     if ids.len() != mutants.len() {
         faults.push("two mutants share a name".to_owned());
     }
-    let gate = carom::scene::catalogue::set("gate").unwrap();
+    let gate = carom::scene::catalogue::set(SetName::Gate).unwrap();
     for Mutant {
         id,
         file,

@@ -10,7 +10,7 @@ use super::{Failure, output, publish, terminal, versions};
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
-use crate::scene::catalogue;
+use crate::scene::{SetName, catalogue};
 use crate::study::check::{
     Against, Level, RANDOM, RANDOM_SCENES, bounds, page, random_plan, study, summary,
 };
@@ -41,7 +41,7 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         .partition(|name| name == RANDOM);
     let whole = arguments.scenes.is_empty();
     let scenes = if whole {
-        catalogue::set("gate")?
+        catalogue::set(SetName::Gate)?
     } else {
         accepted::named(&named)?
     };

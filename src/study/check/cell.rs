@@ -7,7 +7,7 @@ use crate::compare::{self, Comparison, Parting};
 use crate::finding::{Finding, Verdict};
 use crate::law::rerun::digest;
 use crate::physics::invariants::Invariant;
-use crate::scene::Scene;
+use crate::scene::{Scene, SetName};
 use crate::study::compare::describe_kind;
 use crate::study::matrix::{Column, Runner};
 use crate::study::stability::{Oracle, examine};
@@ -38,7 +38,7 @@ pub struct Found {
 
 /// Runs a cell and says what it finds.
 pub fn run(scene: &Scene, column: &Column, oracle: Option<&Oracle>, runner: Runner<'_>) -> Found {
-    let hard = scene.sets.iter().any(|set| set == "hard");
+    let hard = scene.is_in(SetName::Hard);
     let promised = column.engine.promises(scene, &column.setting);
     // a verdict speaks of every image, a promise of those that are promised
     let wanted = |invariant: Invariant| hard || promised.contains(&invariant);

@@ -31,7 +31,7 @@ use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
 use super::stability::{Oracle, PlanError, ask_oracles, tried};
 use crate::finding::{Finding, Tolerance};
-use crate::scene::{Scene, Simultaneous};
+use crate::scene::{Scene, SetName, Simultaneous};
 use std::collections::BTreeMap;
 use std::mem;
 
@@ -259,7 +259,7 @@ fn conclude(
                     Unit::Cell(of, _) | Unit::Samples(of, _) => *of == s,
                 });
         answers = rest;
-        let hard = scene.sets.iter().any(|set| set == "hard");
+        let hard = scene.is_in(SetName::Hard);
         outcome.expect(scene, ORACLE, [Level::Error]);
         let findings = oracles[s].as_ref().map(|o| oracle::findings(scene, o));
         outcome.add(findings);

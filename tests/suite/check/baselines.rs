@@ -2,7 +2,7 @@
 
 use super::baselines;
 use carom::gate::{self, Accepted, Kind, diff};
-use carom::scene::catalogue;
+use carom::scene::{SetName, catalogue};
 use carom::study::check::{
     Level, RANDOM, RANDOM_SCENES, level, random_hash, random_plan, tolerance,
 };
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 fn all() -> Vec<(String, Accepted)> {
-    let scenes = catalogue::set("gate").unwrap();
+    let scenes = catalogue::set(SetName::Gate).unwrap();
     let names = scenes.iter().map(|scene| scene.name.as_str());
     let read = |name: &str| {
         let text = fs::read_to_string(baselines().join(format!("{name}.csv"))).unwrap();

@@ -10,7 +10,7 @@ mod numbers;
 use crate::support::scenario;
 use branches::{Branch, laws, seen};
 use carom::engine;
-use carom::scene::{Scene, catalogue};
+use carom::scene::{Scene, SetName, catalogue};
 use carom::study::check::plan;
 use carom::study::compare::default_columns;
 use carom::study::matrix::Column;
@@ -36,7 +36,7 @@ const EXEMPT: &[Exempt] = &[Exempt {
 
 /// The scenes of the gate.
 pub fn gate() -> Vec<Scene> {
-    let scenes = catalogue::set("gate").unwrap();
+    let scenes = catalogue::set(SetName::Gate).unwrap();
     assert!(scenes.len() > 20, "{} scenes", scenes.len());
     scenes
 }

@@ -11,7 +11,7 @@ use carom::compare::deepest_overlap;
 use carom::engine::{ENGINES, Setting};
 use carom::math::Vec3;
 use carom::physics::State;
-use carom::scene::{Scene, catalogue};
+use carom::scene::{Scene, SetName, catalogue};
 use carom::trace::{Ending, Record, Trace};
 use std::collections::BTreeSet;
 
@@ -42,7 +42,7 @@ const WITHOUT_END: [(&str, &str); 13] = [
 ];
 
 fn hard() -> Vec<Scene> {
-    catalogue::set("hard").unwrap()
+    catalogue::set(SetName::Hard).unwrap()
 }
 
 fn scene(name: &str) -> Scene {
@@ -60,10 +60,7 @@ fn more_than_forty_hard_scenes_run_without_being_asked_for_in_full() {
     });
     let count = everyday.count();
     assert!(count >= 42, "{count} scenes");
-    let gated = hard()
-        .iter()
-        .filter(|s| s.sets.iter().any(|set| set == "gate"))
-        .count();
+    let gated = hard().iter().filter(|s| s.is_in(SetName::Gate)).count();
     assert!((1..=10).contains(&gated), "{gated} hard scenes are gated");
 }
 

@@ -2,7 +2,7 @@
 
 use carom::finding::Verdict;
 use carom::gate::{self, Accepted, Change, Decision, Held, Kind, Located, Row};
-use carom::scene::{Scene, catalogue};
+use carom::scene::{Scene, SetName, catalogue};
 use carom::study::check::{self, Level, ORACLE, Outcome};
 use carom::study::matrix::{Column, Watch};
 use std::collections::BTreeMap;
@@ -15,10 +15,7 @@ pub type Caught = BTreeMap<Level, (usize, String)>;
 pub fn gate_scenes(names: &[&str]) -> Vec<Scene> {
     let scene = |name: &&str| {
         let scene = catalogue::scene(name).unwrap();
-        assert!(
-            scene.sets.iter().any(|set| set == "gate"),
-            "{name} is not in the gate set"
-        );
+        assert!(scene.is_in(SetName::Gate), "{name} is not in the gate set");
         scene
     };
     names.iter().map(scene).collect()

@@ -16,7 +16,7 @@ pub use held::{caught, hold as held};
 
 use crate::support::run;
 use carom::engine::{self, Setting};
-use carom::scene::catalogue;
+use carom::scene::{SetName, catalogue};
 use carom::study::check::Level;
 use carom::study::matrix::Column;
 use carom::trace::Record;
@@ -37,7 +37,7 @@ const REPETITIONS: usize = 50;
 
 #[test]
 fn the_plain_copy_without_a_slip_is_the_stepper_to_the_bit() {
-    let scenes = catalogue::set("gate").unwrap();
+    let scenes = catalogue::set(SetName::Gate).unwrap();
     assert!(scenes.len() > 20, "{} scenes", scenes.len());
     let copy = Wrong::stepping(Slip::None);
     for scene in &scenes {

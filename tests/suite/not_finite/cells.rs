@@ -5,7 +5,7 @@
 use carom::finding::{Hold, Tolerance};
 use carom::gate::{self, Accepted, Held, hold_cases};
 use carom::math::random::Draws;
-use carom::scene::{Scene, catalogue};
+use carom::scene::{Scene, SetName, catalogue};
 use carom::study::compare::default_columns;
 use carom::study::matrix::{Column, Watch};
 use carom::study::{check, stability};
@@ -57,7 +57,7 @@ fn draw(draws: &mut Draws, n: usize) -> usize {
 
 #[test]
 fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
-    let scenes = catalogue::set("gate").unwrap();
+    let scenes = catalogue::set(SetName::Gate).unwrap();
     let files: Vec<Accepted> = scenes.iter().map(|s| accepted("baselines", s)).collect();
     let outcome = check::study(&scenes, &default_columns(), watch()).unwrap();
     let hold = |files: &[Accepted]| {
@@ -128,8 +128,8 @@ fn preset_of(label: &str) -> Column {
 
 #[test]
 fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
-    let mut scenes = catalogue::set("hard").unwrap();
-    scenes.retain(|scene| !scene.sets.iter().any(|set| set == "full"));
+    let mut scenes = catalogue::set(SetName::Hard).unwrap();
+    scenes.retain(|scene| !scene.is_in(SetName::Full));
     let files: Vec<Accepted> = scenes.iter().map(|s| accepted("hard", s)).collect();
     let mut draws = Draws::new(SEED, 1);
     let mut drawn: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();

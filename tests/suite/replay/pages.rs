@@ -5,7 +5,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use carom::finding::{Block, Document};
 use carom::report;
-use carom::scene::catalogue;
+use carom::scene::{SetName, catalogue};
 use carom::study::compare::{self, LengthUnit, Outcome};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -56,7 +56,7 @@ fn data(page: &str) -> Value {
 /// Every scene of the default report, and those of the catalogue whose replays are the largest.
 #[test]
 fn a_page_of_every_kind_plays_and_weighs_less_than_one_and_a_half_megabytes() {
-    let mut scenes = catalogue::set("report").unwrap();
+    let mut scenes = catalogue::set(SetName::Report).unwrap();
     let default = scenes.len();
     scenes.extend(["throw", "report-break-tight", "rack-lossy", "galperin-314"].map(scene));
     assert!(default > 10, "only {default} scenes in the report");

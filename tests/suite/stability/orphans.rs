@@ -2,7 +2,7 @@
 
 use super::program::{accept, command, stability, text};
 use carom::gate::{self, hold_cases};
-use carom::scene::catalogue;
+use carom::scene::{SetName, catalogue};
 use std::fs;
 use std::path::Path;
 
@@ -22,8 +22,8 @@ fn a_file_that_no_scene_reads_is_told_and_one_of_full_is_none() {
         fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
     }
     // a scene that only --full runs has a file of its own, which no other run reads
-    let set = catalogue::set("hard").unwrap();
-    let is_full = |scene: &&carom::scene::Scene| scene.sets.iter().any(|set| set == "full");
+    let set = catalogue::set(SetName::Hard).unwrap();
+    let is_full = |scene: &&carom::scene::Scene| scene.is_in(SetName::Full);
     for scene in set.iter().filter(is_full) {
         let own = folder.join(format!("{}.csv", scene.name));
         fs::copy(folder.join("cradle.csv"), own).unwrap();

@@ -4,7 +4,7 @@ use crate::accepting::kill_while_accepting;
 use assert_cmd::cargo::cargo_bin;
 use carom::gate;
 use carom::report::FORMATS;
-use carom::scene::catalogue;
+use carom::scene::{SetName, catalogue};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -196,8 +196,8 @@ fn every_hard_scene_has_an_accepted_file_and_no_other_is_there() {
         .collect();
     files.sort();
     let mut expected = Vec::new();
-    for scene in catalogue::set("hard").unwrap() {
-        if scene.sets.iter().any(|set| set == "full") {
+    for scene in catalogue::set(SetName::Hard).unwrap() {
+        if scene.is_in(SetName::Full) {
             continue;
         }
         let text = fs::read_to_string(folder.join(format!("{}.csv", scene.name))).unwrap();

@@ -1,0 +1,61 @@
+//! The words that a scene chooses from: sets, the unit of time, what to do with simultaneous impacts.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A set of scenes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SetName {
+    /// In the default report.
+    Report,
+    /// Held by `check`.
+    Gate,
+    /// A hard case.
+    Hard,
+    /// Only with `--full`, whatever else.
+    Full,
+}
+
+impl SetName {
+    /// The word used in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            SetName::Report => "report",
+            SetName::Gate => "gate",
+            SetName::Hard => "hard",
+            SetName::Full => "full",
+        }
+    }
+}
+
+/// What times are measured in. Laws with SI constants, tolerances and defaults are in seconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum TimeUnit {
+    /// Seconds.
+    #[default]
+    #[serde(rename = "s")]
+    Second,
+}
+
+impl TimeUnit {
+    /// The word used in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            TimeUnit::Second => "s",
+        }
+    }
+}
+
+/// What the exact engine does when an impact involves balls that touch others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Simultaneous {
+    /// End the run as indeterminate and say where: there is no unique answer.
+    #[default]
+    Refuse,
+    /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012).
+    GeneralizedReflections,
+    /// A single run ends as with `refuse`: the answer is a distribution over small gaps.
+    Ensemble,
+}
