@@ -1,7 +1,8 @@
 //! The border between scenes and engines: what an engine is, and the only way to a run.
 //!
 //! [`prepare`] asks what is missing, builds the run, and audits that what is inside the engine is the scene. Inside this
-//! module no engine knows another; adding one is a folder and one line in [`ENGINES`].
+//! module no engine knows another; adding one is a folder and one line in [`ENGINES`]. What every engine needs that advances a
+//! whole world by fixed steps is in [`stepped`], which is no engine.
 
 mod audit;
 pub mod built;
@@ -10,6 +11,7 @@ pub mod exact;
 pub mod rapier;
 mod setting;
 pub mod sheet;
+pub mod stepped;
 pub mod stepper;
 
 pub use audit::{Inside, PairMaterial, Partner};

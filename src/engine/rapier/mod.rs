@@ -4,19 +4,13 @@
 //! |---|---|
 //! | `settings.rs` | the knobs and the two presets |
 //! | `world.rs` | the equivalent scene inside rapier; compiled twice, in `double.rs` and `single.rs` |
-//! | `interface.rs` | what the stepping loop sees of it |
-//! | `materials.rs` | coefficients of balls, cloth and cushions, and the rules that combine them |
-//! | `cloth.rs` | what of the cloth rapier lacks, as forces; what a step without impact leaves |
-//! | `run.rs` | the stepping loop |
-//! | `journal.rs` | impacts from impulses, both sides of each, extrema |
+//! | `materials.rs` | the rules by which rapier combines coefficients |
 //! | `sheet.rs` | rapier's parameters by its own names |
+//!
+//! Loop, journal, and what of the cloth rapier lacks are those of every engine that steps: [`super::stepped`].
 
-mod cloth;
 mod double;
-mod interface;
-mod journal;
 mod materials;
-mod run;
 mod settings;
 mod sheet;
 mod single;
@@ -24,12 +18,12 @@ mod single;
 pub use settings::{Ccd, Friction, Preset, Settings};
 
 use super::built::{Built, built};
-use super::setting::knobs_of;
+use super::setting::{knobs_of, parameters};
+use super::stepped::{Setup, Stepped, World};
 use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
-use run::Simulation;
 
 /// The scene in rapier, in one precision.
 #[derive(Debug)]
@@ -261,16 +255,37 @@ impl Engine for Rapier {
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         let settings = Settings::read(setting)?.for_scene(scene)?;
-        let version = self.version();
         Ok(match self.precision {
             Precision::Double => {
                 let world = double::world::Billiard::new(scene, &settings);
-                Box::new(Simulation::new(scene, settings, world, self.id, version))
+                let gravity = world.gravity();
+                Box::new(self.run(scene, &settings, world, gravity))
             }
             Precision::Single => {
                 let world = single::world::Billiard::new(scene, &settings);
-                Box::new(Simulation::new(scene, settings, world, self.id, version))
+                let gravity = world.gravity();
+                Box::new(self.run(scene, &settings, world, gravity))
             }
+        })
+    }
+}
+
+impl Rapier {
+    /// A run of what is in `world`; `gravity`, length/s^2, as it holds it.
+    fn run<'a, W: World>(
+        &self,
+        scene: &'a Scene,
+        settings: &Settings,
+        world: W,
+        gravity: f64,
+    ) -> Stepped<'a, W> {
+        Stepped::new(scene, world, |inside| Setup {
+            engine: self.id.to_owned(),
+            version: self.version(),
+            parameters: parameters(settings),
+            sheet: sheet::sheet(scene, settings, inside, gravity),
+            dt: settings.dt,
+            substeps: settings.substeps,
         })
     }
 }

@@ -3,7 +3,8 @@
 //! Materials, combination rules, locks and gravity are not here: they are the scene.
 
 use crate::engine::setting::refuse;
-use crate::engine::{Refusal, Setting, clock};
+use crate::engine::stepped::check_step;
+use crate::engine::{Refusal, Setting};
 use crate::scene::Scene;
 use rapier3d_f64::dynamics::IntegrationParameters;
 use schemars::JsonSchema;
@@ -187,7 +188,7 @@ impl Settings {
 
     /// The same settings with everything that depends on the scene decided.
     pub fn for_scene(mut self, scene: &Scene) -> Result<Self, Refusal> {
-        clock::check_step(self.dt, scene, MOST_STEPS)?;
+        check_step(self.dt, scene, MOST_STEPS)?;
         if self.ccd == Ccd::Auto {
             let slow = scene.largest_speed() * self.dt < 0.5 * scene.smallest_radius();
             self.ccd = if slow { Ccd::Off } else { Ccd::Cue };

@@ -1,6 +1,6 @@
 //! The report's hand-written model: fixed steps, exchange of normal velocities, Coulomb friction, walls.
 //!
-//! Every step does, in this order: the ball that was shot against each other ball; each pair of the others; friction;
+//! Steps are cut by the clock of every engine that steps. Every step does, in this order: the ball that was shot against each other ball; each pair of the others; friction;
 //! walls; positions. The order is the report's and part of the model. What the report leaves open is a setting.
 //!
 //! What the report leaves out is simulated in its own spirit where a scene calls for it. Rotation: rates times dt in the
@@ -18,7 +18,8 @@ mod sheet;
 mod walls;
 
 use super::setting::{knobs_of, refuse};
-use super::{About, Engine, Knob, Pace, Refusal, Run, Setting, clock};
+use super::stepped::check_step;
+use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, Contact};
 use crate::scene::{Scene, Shot};
@@ -96,7 +97,7 @@ impl Default for Settings {
 impl Settings {
     fn read(setting: &Setting, scene: &Scene) -> Result<Self, Refusal> {
         let settings: Settings = setting.read()?;
-        clock::check_step(settings.dt, scene, MOST_STEPS)?;
+        check_step(settings.dt, scene, MOST_STEPS)?;
         if settings.launch == Launch::AsWritten && !matches!(scene.shot, Some(Shot::Force { .. })) {
             return Err(refuse(
                 "`launch=as-written` needs a scene with [shot.force]: v = F dt / m".to_owned(),

@@ -8,6 +8,7 @@ use super::pairs::Pairs;
 use super::walls::Walls;
 use super::{Settings, sheet};
 use crate::engine::setting::parameters;
+use crate::engine::stepped::Clock;
 use crate::engine::{Inside, Limits, Parameter, Run};
 use crate::physics::cloth::rotational::Coefficients;
 use crate::physics::{Cloth, Contact, Cushion, Motion, State, cushion, pockets};
@@ -86,6 +87,9 @@ const PATIENCE: usize = 1 << 16;
 struct Loop<'a, C> {
     scene: &'a Scene,
     settings: Settings,
+    clock: Clock,
+    /// Length of the step that is taken, s.
+    dt: f64,
     cloth: C,
     balls: Balls,
     sizes: Sizes,
@@ -130,6 +134,8 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         Loop {
             scene,
             settings: run.settings,
+            clock: Clock::new(scene.duration, run.settings.dt),
+            dt: run.settings.dt,
             cloth,
             pairs: Pairs::new(run.settings.partners, &sizes, n),
             sizes,
@@ -152,14 +158,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     }
 
     fn run(mut self, limits: &Limits<'_>) -> Trace {
-        let dt = self.settings.dt;
-        // a duration that is a whole number of steps up to rounding takes exactly that number
-        let steps = (self.scene.duration / dt * (1.0 - 1e-12)).ceil() as u64;
+        let last = self.clock.steps - 1;
         let mut moving = self.balls.moving();
         let mut ending = Ending::Duration;
         let mut step = 0;
         let patience = (PATIENCE / self.balls.len().max(1)).max(1) as u64;
-        while step < steps {
+        while step <= last {
             if moving == 0 && !self.scene.run_to_duration {
                 ending = Ending::Rest;
                 break;
@@ -168,12 +172,15 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 ending = Ending::Cancelled;
                 break;
             }
+            if step == last {
+                self.shorten(last);
+            }
             self.contacts(step);
             moving = self.friction(step);
             self.cushions(step);
             self.advance();
             step += 1;
-            let time = step as f64 * dt;
+            let time = self.clock.time(step);
             self.tell_ended(time);
             if self.any_pocketed() {
                 self.pocket(time);
@@ -190,8 +197,15 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         self.finish(step, ending)
     }
 
+    /// The last step ends with the duration.
+    #[cold]
+    fn shorten(&mut self, last: u64) {
+        self.dt = self.clock.length(last);
+        self.cloth = self.cloth.in_steps_of(self.dt);
+    }
+
     fn finish(self, step: u64, ending: Ending) -> Trace {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let states = self.balls.states();
         let broken: Vec<u32> = states
             .iter()
@@ -245,7 +259,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             contact,
             friction: self.scene.effects.friction,
         };
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         self.exchanged.clear();
         self.overlaps.begin();
         for k in 0..self.overlapping.len() {
@@ -272,7 +286,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// Gives both balls of an overlapping pair their motions after an exchange, and tells it.
     fn apply(&mut self, step: u64, overlap: usize, (one, two): (Motion, Motion)) {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let (i, j) = self.overlaps.now()[overlap].pair;
         let balls = &mut self.balls;
         let (first, second) = (balls.scene_index[i], balls.scene_index[j]);
@@ -357,7 +371,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[cold]
     #[inline(never)]
     fn end_phases(&mut self, step: u64) -> usize {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let mut moving = 0;
         for k in 0..self.ending.len() {
             let i = self.ending[k];
@@ -414,7 +428,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         if !past {
             return;
         }
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let before = self.balls.state(i);
         let met = outward * before.velocity[side.axis()] > 0.0;
         let energy = self.balls.energy(i);
@@ -450,7 +464,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// 5.: positions move with the new velocities.
     fn advance(&mut self) {
-        let (balls, dt) = (&mut self.balls, self.settings.dt);
+        let (balls, dt) = (&mut self.balls, self.dt);
         for (x, v) in balls.x.iter_mut().zip(&balls.vx) {
             *x += v * dt;
         }
