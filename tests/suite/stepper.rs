@@ -174,7 +174,7 @@ fn launch_as_written_makes_the_shot_depend_on_the_step() {
 
 #[test]
 fn what_it_cannot_do_is_refused_with_the_remedy() {
-    let stepper = engine::find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     let unequal = scenario("unequal")
         .moving("a", [0.0, 0.0], [1.0, 0.0])
         .resting("b", [2.0, 0.0])
@@ -182,8 +182,8 @@ fn what_it_cannot_do_is_refused_with_the_remedy() {
         .build();
     let refusal = |scene: &carom::scene::Scene, pairs: &[&str]| {
         let setting = Setting::parse(pairs.iter().copied()).unwrap();
-        match engine::prepare(stepper, scene, &setting) {
-            Err(Refusal::Setting { message }) => message,
+        match engine::prepare(stepper.as_ref(), scene, &setting) {
+            Err(Refusal::Setting { message, .. }) => message,
             Err(other) => panic!("{pairs:?}: {other}"),
             Ok(_) => panic!("{pairs:?} was accepted"),
         }
@@ -221,13 +221,13 @@ fn what_it_cannot_do_is_refused_with_the_remedy() {
 
 #[test]
 fn number_of_allocations_does_not_depend_on_the_number_of_steps() {
-    let stepper = engine::find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     let scene = report_break(1e-2 * R, 90.2);
     let allocations = |dt: f64| {
         let setting = Setting::default()
             .with("dt", dt)
             .with("contact", "approaching-only");
-        let run = engine::prepare(stepper, &scene, &setting).unwrap();
+        let run = engine::prepare(stepper.as_ref(), &scene, &setting).unwrap();
         let mut steps = 0;
         let count = allocation_counter::measure(|| {
             steps = run.simulate(Record::Final, &Limits::NONE).counters["steps"]

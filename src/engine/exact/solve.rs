@@ -14,10 +14,9 @@ use crate::engine::Limits;
 use crate::math::{Real, Vec3};
 use crate::physics::{Side, State};
 use crate::scene::Scene;
-use crate::trace::{Ending, Provenance, Record, Recorder, Spot, Trace};
+use crate::trace::{Counter, Ending, Provenance, Record, Recorder, Spot, Trace};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Which balls a prediction looks at. The trace is the same to the bit.
@@ -440,14 +439,14 @@ impl<T: Real> Loop<'_, T> {
             self.solver.state(ball, position, velocity, self.now)
         };
         let states: Vec<State> = (0..self.versions.len()).map(read).collect();
-        let counters = BTreeMap::from([
-            ("events".to_owned(), self.counts.events),
-            ("ball_ball".to_owned(), self.counts.ball_ball),
-            ("ball_cushion".to_owned(), self.counts.ball_cushion),
-            ("cell_crossings".to_owned(), self.counts.cell_crossings),
-            ("cell_layouts".to_owned(), self.counts.cell_layouts),
-            ("root_calls".to_owned(), self.notes.root_calls),
-        ]);
+        let counters = [
+            (Counter::Events, self.counts.events),
+            (Counter::BallBall, self.counts.ball_ball),
+            (Counter::BallCushion, self.counts.ball_cushion),
+            (Counter::CellCrossings, self.counts.cell_crossings),
+            (Counter::CellLayouts, self.counts.cell_layouts),
+            (Counter::RootCalls, self.notes.root_calls),
+        ];
         self.recorder
             .finish(self.now.to_f64(), &states, ending, counters)
     }

@@ -10,6 +10,12 @@ use rapier3d_f64::dynamics::IntegrationParameters;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// The key of the step.
+pub(super) const STEP: &str = "dt";
+
+/// The key that stands for the defaults of the others.
+pub(super) const PRESET: &str = "preset";
+
 /// More steps than this in one run are refused: half an hour at the least.
 const MOST_STEPS: f64 = 1e8;
 
@@ -172,13 +178,12 @@ impl Settings {
 
     /// Reads a setting: the preset first, then everything else over its defaults. Refuses what cannot run.
     pub fn read(setting: &Setting) -> Result<Self, Refusal> {
-        let preset = match setting.values.get("preset").map(String::as_str) {
+        let preset = match setting.values.get(PRESET).map(String::as_str) {
             None | Some("converging") => Preset::Converging,
             Some("stock") => Preset::Stock,
             Some(other) => {
-                return Err(refuse(format!(
-                    "`preset={other}`: expected converging or stock"
-                )));
+                let message = format!("`{PRESET}={other}`: expected converging or stock");
+                return Err(refuse(Some(PRESET), message));
             }
         };
         let settings: Settings = setting.read_over(&Settings::of(preset))?;
@@ -188,7 +193,7 @@ impl Settings {
 
     /// The same settings with everything that depends on the scene decided.
     pub fn for_scene(mut self, scene: &Scene) -> Result<Self, Refusal> {
-        check_step(self.dt, scene, MOST_STEPS)?;
+        check_step(STEP, self.dt, scene, MOST_STEPS)?;
         if self.ccd == Ccd::Auto {
             let slow = scene.largest_speed() * self.dt < 0.5 * scene.smallest_radius();
             self.ccd = if slow { Ccd::Off } else { Ccd::Cue };
@@ -205,15 +210,15 @@ impl Settings {
         ];
         for (key, value, least) in counts {
             if !(least..=1000).contains(&value) {
-                return Err(refuse(format!(
-                    "`{key}={value}`: expected a whole number from {least} to 1000"
-                )));
+                let message =
+                    format!("`{key}={value}`: expected a whole number from {least} to 1000");
+                return Err(refuse(Some(key), message));
             }
         }
         // above 0 in f32 as well, where a smaller number is 0; the upper ends keep every product finite there
         const LEAST: f64 = f32::MIN_POSITIVE as f64;
         let numbers = [
-            ("dt", self.dt, LEAST, 1e9),
+            (STEP, self.dt, LEAST, 1e9),
             ("prediction_distance", self.prediction_distance, LEAST, 1e6),
             ("length_unit", self.length_unit, 1e-6, 1e6),
             (
@@ -274,9 +279,9 @@ impl Settings {
                 } else {
                     format!("{least} or more")
                 };
-                return Err(refuse(format!(
-                    "`{key}={value}`: expected a number, {least} and at most {most:e}"
-                )));
+                let message =
+                    format!("`{key}={value}`: expected a number, {least} and at most {most:e}");
+                return Err(refuse(Some(key), message));
             }
         }
         Ok(())

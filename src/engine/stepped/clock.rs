@@ -77,18 +77,21 @@ impl Clock {
     }
 }
 
-/// Refuses a step by which a scene takes more than `most` steps, or none.
-pub fn check_step(dt: f64, scene: &Scene, most: f64) -> Result<(), Refusal> {
+/// Refuses a step by which a scene takes more than `most` steps, or none. `key`: of the setting that is the step.
+pub fn check_step(key: &str, dt: f64, scene: &Scene, most: f64) -> Result<(), Refusal> {
     let steps = scene.duration / dt;
     if dt > 0.0 && steps <= most {
         return Ok(());
     }
     let longest = format!("the {} s of scene {}", scene.duration, scene.name);
-    Err(refuse(if dt > 0.0 {
-        format!("`dt={dt}`: {longest} would take {steps:.1e} steps, more than {most:.0e}; raise dt")
+    let message = if dt > 0.0 {
+        format!(
+            "`{key}={dt}`: {longest} would take {steps:.1e} steps, more than {most:.0e}; raise {key}"
+        )
     } else {
-        format!("`dt={dt}`: expected a step above 0 s, for {longest}")
-    }))
+        format!("`{key}={dt}`: expected a step above 0 s, for {longest}")
+    };
+    Err(refuse(Some(key), message))
 }
 
 #[cfg(test)]

@@ -19,8 +19,8 @@
 //! velocity at the end of a step is anything up to g dt with a mean of zero: g dt times the time between two records more.
 //! A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
 //!
-//! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
-//! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
+//! Counters: [`Counter::Contacts`] (impulses, also those below rounding), [`Counter::Exchanges`] (those above it),
+//! [`Counter::Unattributed`] (changes of a ball's velocity that neither they nor the cloth explain).
 
 use super::clock::Span;
 use super::cloth::{Felt, Load, is_aloft, lever};
@@ -31,8 +31,7 @@ use crate::math::near::Near;
 use crate::physics::invariants::kinetic_energy;
 use crate::physics::{Motion, Side, State, friction, pockets};
 use crate::scene::Scene;
-use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
-use std::collections::BTreeMap;
+use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Trace};
 
 /// An impulse counts once it changes a velocity by this many ulp of the largest speed: warm starting adds an old impulse
 /// and takes it away again, a handful of operations on numbers of that size.
@@ -253,16 +252,12 @@ impl<'a> Journal<'a> {
         substeps: u64,
     ) -> Trace {
         let counters = [
-            ("steps", steps),
-            ("substeps", substeps),
-            ("contacts", self.contacts),
-            ("exchanges", self.exchanges),
-            ("unattributed", self.unattributed),
+            (Counter::Steps, steps),
+            (Counter::Substeps, substeps),
+            (Counter::Contacts, self.contacts),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Unattributed, self.unattributed),
         ];
-        let counters: BTreeMap<String, u64> = counters
-            .into_iter()
-            .map(|(name, count)| (name.to_owned(), count))
-            .collect();
         self.recorder.finish(time, states, ending, counters)
     }
 

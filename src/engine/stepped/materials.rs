@@ -1,7 +1,10 @@
 //! What the scene's laws make of balls, cloth and cushions as materials: one coefficient of friction and one of restitution for the
 //! contact of a ball with each of them. Engines that keep a material a body say by themselves how those of two bodies combine.
 
+use crate::engine::{Inside, PairMaterial, Partner};
+use crate::physics::invariants::kinetic_energy;
 use crate::physics::{Cloth, Contact, Cushion, Effects, friction};
+use crate::scene::Ball;
 
 /// What a contact does, in the two numbers that most engines know.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,4 +49,32 @@ pub fn cushion(effects: &Effects) -> Option<Material> {
         friction: 0.0,
         restitution,
     })
+}
+
+/// What is inside a world in f64 whose balls do not turn, and that has one material for each kind of partner: `balls` and `met` as it
+/// holds them.
+pub fn inside(balls: &[Ball], met: &[(Partner, Option<Material>)]) -> Inside {
+    let energy = |ball: &Ball| kinetic_energy(&ball.state, ball.mass, None);
+    let of = |ball: usize| {
+        met.iter().filter_map(move |(partner, material)| {
+            let Material {
+                friction,
+                restitution,
+            } = (*material)?;
+            Some(PairMaterial {
+                ball,
+                partner: *partner,
+                friction,
+                restitution,
+            })
+        })
+    };
+    Inside {
+        balls: balls.to_vec(),
+        inertia: vec![None; balls.len()],
+        energy: balls.iter().map(energy).sum(),
+        materials: (0..balls.len()).flat_map(of).collect(),
+        ulp: f64::EPSILON,
+        contact_time: None,
+    }
 }

@@ -3,6 +3,7 @@
 //! | file | what lives there |
 //! |---|---|
 //! | `world.rs` | [`World`]: a scene inside an engine, one step at a time |
+//! | `alone.rs` | [`WorldEngine`]: an engine that is a world and nothing else |
 //! | `clock.rs` | how a duration is cut into steps; the report's model goes by it as well |
 //! | `run.rs` | the stepping loop: a world becomes a [`crate::engine::Run`] |
 //! | `journal.rs` | impacts from impulses, both sides of each, extrema |
@@ -12,6 +13,7 @@
 //!
 //! It is no engine and knows none: nothing here names a symbol of an engine's crate.
 
+mod alone;
 mod clock;
 mod cloth;
 mod journal;
@@ -20,6 +22,7 @@ mod rest;
 mod run;
 mod world;
 
+pub use alone::WorldEngine;
 pub use clock::{Clock, Span, check_step};
 pub use cloth::Load;
 pub use rest::{rest_speed, slip_rest};

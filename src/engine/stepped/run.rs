@@ -59,6 +59,7 @@ impl<'a, W: World> Stepped<'a, W> {
             scene_hash: self.scene.hash(),
             resolution: self.setup.dt,
             rest_speed: rest_speed(self.scene),
+            ulp: self.inside.ulp,
         }
     }
 

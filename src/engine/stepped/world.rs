@@ -7,7 +7,7 @@ use crate::physics::{Side, State};
 
 /// A scene inside an engine, one step at a time: states in f64, and who pushed whom in a step.
 ///
-/// Balls are called by their index in the scene. Events, knots, extrema and rest are made of that by [`super::Stepped`].
+/// [`super::WorldEngine`] makes an engine of it. Balls are called by their index in the scene. Events, knots, extrema and rest are made of that by [`super::Stepped`].
 pub trait World {
     /// Advances by `dt`, s.
     fn step(&mut self, dt: f64);
@@ -47,6 +47,17 @@ pub struct Push {
     pub other: Other,
     /// mass * length/s, along the contact normal; a second ball receives the opposite.
     pub impulse: Vec3,
+}
+
+impl Push {
+    /// What `ball` received of `other`, mass * length/s.
+    pub fn new(ball: usize, other: Other, impulse: Vec3) -> Self {
+        Push {
+            ball,
+            other,
+            impulse,
+        }
+    }
 }
 
 /// What a ball can be pushed by, besides the cloth.

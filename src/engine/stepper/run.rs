@@ -13,7 +13,7 @@ use crate::engine::{Inside, Limits, Parameter, Run};
 use crate::physics::cloth::rotational::Coefficients;
 use crate::physics::{Cloth, Contact, Cushion, Motion, State, cushion, pockets};
 use crate::scene::Scene;
-use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
+use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
 
 /// A scene inside the stepper, before its first step.
 #[derive(Debug)]
@@ -34,13 +34,14 @@ impl<'a> Stepping<'a> {
             settings,
             balls: Balls::new(scene, &settings),
             provenance: Provenance {
-                engine: "stepper".to_owned(),
+                engine: super::ID.to_owned(),
                 version,
                 parameters: parameters(&settings),
                 scene: scene.name.clone(),
                 scene_hash: scene.hash(),
                 resolution: settings.dt,
                 rest_speed: 0.0,
+                ulp: f64::EPSILON,
             },
         }
     }
@@ -226,16 +227,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             }),
         };
         let counters = [
-            ("steps", step),
-            ("exchanges", self.exchanges),
-            ("overlaps", self.overlapped),
-            ("longest_overlap_steps", self.longest_overlap),
-            ("pairs_overlapping_at_end", self.overlaps.now().len() as u64),
+            (Counter::Steps, step),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Overlaps, self.overlapped),
+            (Counter::LongestOverlap, self.longest_overlap),
+            (Counter::OverlapsAtEnd, self.overlaps.now().len() as u64),
         ];
-        let counters = counters
-            .into_iter()
-            .map(|(name, count)| (name.to_owned(), count))
-            .collect();
         self.recorder.finish(time, &states, ending, counters)
     }
 

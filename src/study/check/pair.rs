@@ -31,15 +31,3 @@ pub fn between(scene: &Scene, engine: &str, trace: &Trace, reference: &Trace) ->
     findings.extend(written::findings(scene, engine, trace, reference));
     findings
 }
-
-/// Rounding of the scalar in which a trace was computed, as far as its file says: f64, unless engine or precision name f32.
-pub fn ulp_of(trace: &Trace) -> f64 {
-    let provenance = &trace.provenance;
-    let precision = provenance.parameters.get("precision");
-    let named = precision.and_then(|p| p.as_str()) == Some("f32");
-    if named || provenance.engine.ends_with("-f32") {
-        f64::from(f32::EPSILON)
-    } else {
-        f64::EPSILON
-    }
-}

@@ -19,7 +19,7 @@ use crate::math::{within, worse};
 use crate::physics::State;
 use crate::physics::invariants::kinetic_energy;
 use crate::scene::Scene;
-use crate::trace::{Ending, Trace};
+use crate::trace::{Counter, Ending, Trace};
 
 /// Largest rise of the energy above its start, in the energy at the start.
 pub const MOST_ENERGY: f64 = 1e-12;
@@ -122,9 +122,8 @@ impl Bounds {
                 .map(|path| fastest(&path.knots) * h)
                 .collect(),
             steps: trace
-                .counters
-                .get("longest_overlap_steps")
-                .map_or(1.0, |steps| (*steps).max(1) as f64),
+                .count(Counter::LongestOverlap)
+                .map_or(1.0, |steps| steps.max(1) as f64),
             moves: if scene.effects.cushion.is_some() {
                 2.0
             } else {

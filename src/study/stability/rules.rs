@@ -12,7 +12,7 @@ use crate::math::{within, worse};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, State};
 use crate::scene::Scene;
-use crate::trace::{Ending, Extremum, Trace};
+use crate::trace::{Counter, Ending, Extremum, Trace};
 
 /// Everything that is known of one run.
 pub struct Evidence<'a> {
@@ -253,11 +253,11 @@ impl Evidence<'_> {
 
     /// By what part rounding may raise an energy: 16 ulp for each impact, in each substep in which it is solved.
     fn energy_rounding(&self) -> f64 {
-        let count = |name: &str| self.trace.counters.get(name).copied();
-        let impacts = count("exchanges")
+        let count = |counter: Counter| self.trace.count(counter);
+        let impacts = count(Counter::Exchanges)
             .unwrap_or(0)
             .max(self.trace.events.len() as u64);
-        let substeps = match (count("substeps"), count("steps")) {
+        let substeps = match (count(Counter::Substeps), count(Counter::Steps)) {
             (Some(substeps), Some(steps)) if steps > 0 => (substeps / steps).max(1),
             _ => 1,
         };

@@ -11,7 +11,7 @@ use carom::math::Vec3;
 use carom::physics::cloth::rotational::{self, Coefficients};
 use carom::physics::{Body, Cloth, Contact, Motion, Side, State, contact, cushion, pockets};
 use carom::scene::Scene;
-use carom::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
+use carom::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
 use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
@@ -239,15 +239,13 @@ impl Program<'_> {
         }
         let at_end = self.since.values().filter(|(_, last)| last + 1 == step);
         let counters = [
-            ("steps", step),
-            ("exchanges", self.exchanges),
-            ("overlaps", self.overlaps),
-            ("longest_overlap_steps", self.longest),
-            ("pairs_overlapping_at_end", at_end.count() as u64),
+            (Counter::Steps, step),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Overlaps, self.overlaps),
+            (Counter::LongestOverlap, self.longest),
+            (Counter::OverlapsAtEnd, at_end.count() as u64),
         ];
-        let counters = counters.map(|(name, count)| (name.to_owned(), count));
-        self.recorder
-            .finish(time, &states, ending, counters.into_iter().collect())
+        self.recorder.finish(time, &states, ending, counters)
     }
 
     /// Each overlapping pair exchanges, in the report's order.

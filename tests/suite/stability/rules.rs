@@ -428,8 +428,9 @@ fn a_matrix_that_is_stopped_says_so_and_keeps_what_it_has() {
         }
     };
     let question = Question {
+        roster: crate::support::roster().clone(),
         scenes: vec![catalogue::scene("head-on").unwrap()],
-        presets: presets(),
+        presets: presets(crate::support::roster()),
         full: false,
         pictures: false,
     };

@@ -90,15 +90,13 @@ struct Audit<'a> {
 
 /// Holds a trace of `scene` against the laws. `place`: what the place of a ball is good to, length.
 pub fn check(scene: &Scene, trace: &Trace, place: f64) -> Laws {
-    let precision = trace.provenance.parameters.get("precision");
-    let precision = precision.and_then(|word| word.as_str()).unwrap_or("f64");
     let mut audit = Audit {
         scene,
         trace,
         grain: ULPS * f64::EPSILON,
         place,
         step: trace.provenance.resolution,
-        rounded: precision != "f64",
+        rounded: trace.provenance.ulp != f64::EPSILON,
         found: Laws::default(),
     };
     audit.events();
