@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, dead_code, clippy::expect_used)]
 
-use carom::engine::{self, Limits, Run, Setting};
+use carom::engine::{self, Limits, Roster, Run, Setting};
 use carom::math::Vec3;
 use carom::physics::State;
 use carom::scene::generate::{Recipe, generate};
@@ -21,8 +21,9 @@ pub fn scene(name: &str) -> Scene {
 /// A scene inside an engine, with settings as on the command line.
 pub fn prepared<'a>(scene: &'a Scene, engine: &str, pairs: &[&str]) -> Box<dyn Run + 'a> {
     let setting = Setting::parse(pairs.iter().copied()).expect("a valid setting");
-    let engine = engine::find(engine).expect("an engine");
-    engine::prepare(engine, scene, &setting).expect("an engine that runs the scene")
+    let roster = Roster::built_in();
+    let engine = roster.find(engine).expect("an engine");
+    engine::prepare(engine.as_ref(), scene, &setting).expect("an engine that runs the scene")
 }
 
 /// One run and its time, s; set-up is outside.

@@ -3,7 +3,7 @@
 use super::Failure;
 use super::scene::SceneCommand;
 use crate::engine::exact::Precision;
-use crate::engine::{ENGINES, Limits};
+use crate::engine::{Limits, Preset, Roster};
 use crate::report::FORMATS;
 use crate::study::Column;
 use crate::study::cost::Grid;
@@ -98,7 +98,7 @@ pub struct RunArguments {
     /// A scene of the catalogue, or a scene file.
     pub scene: String,
     /// The engine.
-    #[arg(long, value_name = "ID", value_parser = engine_ids())]
+    #[arg(long, value_name = "ID", help = engine_help())]
     pub engine: String,
     /// A setting of the engine; see `carom engines`.
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -147,7 +147,7 @@ pub struct EnsembleArguments {
     pub seed: u64,
     /// Engines with optional settings, as in `carom compare`; exact ones first, and the first that reaches the end is what
     /// the others are held against. Rapier needs hundreds of times as long as the others.
-    #[arg(long, value_name = "LIST", default_value = "exact,stepper")]
+    #[arg(long, value_name = "LIST", default_value_t = listed(|preset| preset.sampled))]
     pub engines: String,
     /// Aim of the cue ball: uniform within so many degrees to either side.
     #[arg(long, value_name = "DEGREES")]
@@ -229,11 +229,7 @@ pub struct EffectsArguments {
     pub curves: bool,
     /// Engines with optional settings, as in `carom compare`; the exact engine always runs, and the first that reaches the end of the
     /// whole scene is what all else is held against. The stepper as the report wrote it lets pairs stick, which hides what effects do.
-    #[arg(
-        long,
-        value_name = "LIST",
-        default_value = "exact,stepper:contact=approaching-only"
-    )]
+    #[arg(long, value_name = "LIST", default_value_t = listed(|preset| preset.sound))]
     pub engines: String,
     /// A shot needs an effect when leaving it out moves a ball by more than this.
     #[arg(long, value_name = "R", default_value_t = 0.1)]
@@ -276,11 +272,7 @@ pub struct FuzzArguments {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Engines with optional settings, as in `carom compare`; what a setting leaves open is what the scene's `try` says.
-    #[arg(
-        long,
-        value_name = "LIST",
-        default_value = "exact,stepper:contact=approaching-only"
-    )]
+    #[arg(long, value_name = "LIST", default_value_t = listed(|preset| preset.sound))]
     pub engines: String,
     /// Most events of a run of an event-driven engine.
     #[arg(long, value_name = "N", default_value_t = super::bounds::FUZZ_EVENTS)]
@@ -405,11 +397,19 @@ fn grids() -> PossibleValuesParser {
     PossibleValuesParser::new(Grid::ALL.map(Grid::id))
 }
 
-fn engine_ids() -> PossibleValuesParser {
-    PossibleValuesParser::new(ENGINES.iter().map(|engine| engine.id()))
+fn engine_help() -> String {
+    format!("The engine: {}", Roster::built_in().ids())
+}
+
+/// The presets of the built-in engines that are wanted, as a list of engines: those that solve for their events first.
+fn listed(wanted: fn(&Preset) -> bool) -> String {
+    let mut columns = Column::presets(&Roster::built_in(), wanted);
+    Column::solvers_first(&mut columns);
+    let specs: Vec<String> = columns.iter().map(Column::spec).collect();
+    specs.join(",")
 }
 
 /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
-pub fn parse_engines(list: &str) -> Result<Vec<Column>, Failure> {
-    Column::list(list).map_err(Failure::Message)
+pub fn parse_engines(roster: &Roster, list: &str) -> Result<Vec<Column>, Failure> {
+    Column::list(roster, list).map_err(Failure::Message)
 }

@@ -2,15 +2,15 @@
 
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
-use crate::engine::Limits;
+use crate::engine::{Limits, Roster};
 use crate::study::compare::{LengthUnit, default_columns, plan};
 use crate::study::{Answer, Column, Timing, Watch};
 use std::process::ExitCode;
 
 /// Compares one scene and prints the summary.
-pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
+pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
-    let columns = columns(arguments.engines.as_deref())?;
+    let columns = columns(roster, arguments.engines.as_deref())?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -29,10 +29,10 @@ pub fn compare(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
 }
 
 /// The engines that were named, or the default ones; the exact engine first.
-pub fn columns(engines: Option<&str>) -> Result<Vec<Column>, Failure> {
+pub fn columns(roster: &Roster, engines: Option<&str>) -> Result<Vec<Column>, Failure> {
     let named = match engines {
-        Some(list) => parse_engines(list)?,
-        None => default_columns(),
+        Some(list) => parse_engines(roster, list)?,
+        None => default_columns(roster),
     };
-    Ok(plan(&named))
+    Ok(plan(roster, &named))
 }

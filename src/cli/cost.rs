@@ -2,6 +2,7 @@
 
 use super::arguments::{CostArguments, parse_engines};
 use super::{Failure, publish_with, scene, terminal};
+use crate::engine::Roster;
 use crate::study::cost::{self, Grid, PriceList};
 use crate::study::{Column, Watch};
 use std::path::{Path, PathBuf};
@@ -14,9 +15,9 @@ const FOLDER: &str = "cost";
 const PRICES: &str = "prices.json";
 
 /// Studies what accuracy costs in one scene, prints the price list and writes the page below the report's folder.
-pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
+pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let named: Vec<Column> = match &arguments.engines {
-        Some(list) => parse_engines(list)?,
+        Some(list) => parse_engines(roster, list)?,
         None => Vec::new(),
     };
     let grid = Grid::find(&arguments.grid).unwrap_or(Grid::Small);
@@ -27,7 +28,7 @@ pub fn cost(arguments: &CostArguments) -> Result<ExitCode, Failure> {
         progress: &show,
         cancelled: terminal::cancelled(),
     };
-    let outcome = cost::study(&scene, &named, grid, watch);
+    let outcome = cost::study(roster, &scene, &named, grid, watch);
     drop(progress);
     let folder = folder(&arguments.out, &scene.name);
     // everything for programs, what a reader can take in for a terminal

@@ -3,10 +3,12 @@
 use super::arguments::DiffArguments;
 use super::exit::Exit;
 use super::{Failure, output, publish, scene};
+use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
-use crate::study::check::{between, tolerance, ulp_of, unheld};
+use crate::study::Column;
+use crate::study::check::{between, tolerance, unheld};
 use crate::trace::{Ending, Trace, files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -25,11 +27,11 @@ enum Results {
 }
 
 /// Holds the second folder against the first.
-pub fn diff(arguments: &DiffArguments) -> Result<ExitCode, Failure> {
+pub fn diff(arguments: &DiffArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let (first, second) = (&arguments.first, &arguments.second);
     let (lead, changes) = match (read(first)?, read(second)?) {
         (Results::Trace(a), Results::Trace(b)) => traces(arguments, &a, &b)?,
-        (Results::Baselines(a), Results::Baselines(b)) => baselines(&a, &b),
+        (Results::Baselines(a), Results::Baselines(b)) => baselines(roster, &a, &b),
         _ => {
             return Err(Failure::Message(format!(
                 "{} and {} hold different kinds of results: one the files of `carom run`, the other baselines of `carom check`",
@@ -131,7 +133,7 @@ fn traces(
     b: &Trace,
 ) -> Result<(String, Vec<Located>), Failure> {
     let scene = scene_of(arguments, a, b)?;
-    let ulp = ulp_of(a).max(ulp_of(b));
+    let ulp = (a.provenance.rounding()).max(b.provenance.rounding());
     let label = &b.provenance.engine;
     let rows = |trace: &Trace| -> Vec<Row> {
         let findings = between(&scene, label, trace, a);
@@ -203,16 +205,18 @@ fn scene_of(arguments: &DiffArguments, a: &Trace, b: &Trace) -> Result<Scene, Fa
 }
 
 fn baselines(
+    roster: &Roster,
     a: &BTreeMap<String, Accepted>,
     b: &BTreeMap<String, Accepted>,
 ) -> (String, Vec<Located>) {
     // a table names the scalar only in the label of its engine
-    let ulp = |engine: &str| {
-        if engine.contains("f32") {
-            f64::from(f32::EPSILON)
-        } else {
-            f64::EPSILON
-        }
+    let ulp = |label: &str| {
+        let column = Column::list(roster, &label.replace(' ', ":"));
+        let columns = column.unwrap_or_default();
+        let ulps = columns
+            .iter()
+            .map(|column| column.engine.ulp(&column.setting));
+        ulps.fold(f64::EPSILON, f64::max)
     };
     let names: BTreeSet<&String> = a.keys().chain(b.keys()).collect();
     let mut changes = Vec::new();

@@ -2,14 +2,15 @@
 
 use super::arguments::{EffectsArguments, parse_engines};
 use super::{Failure, publish, scene, terminal};
+use crate::engine::Roster;
 use crate::finding::Document;
 use crate::study::compare::plan;
 use crate::study::{Watch, curves, effects};
 use std::process::ExitCode;
 
 /// Prints which effects a shot needs, or the curves of the impact laws; writes the page if a folder is named.
-pub fn effects(arguments: &EffectsArguments) -> Result<ExitCode, Failure> {
-    let columns = plan(&parse_engines(&arguments.engines)?);
+pub fn effects(arguments: &EffectsArguments, roster: &Roster) -> Result<ExitCode, Failure> {
+    let columns = plan(roster, &parse_engines(roster, &arguments.engines)?);
     let threshold = arguments.threshold;
     if !(threshold >= 0.0 && threshold.is_finite()) {
         return Err(Failure::Message(format!(

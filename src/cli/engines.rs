@@ -1,19 +1,15 @@
 //! `carom engines`.
 
 use super::{Failure, terminal};
-use crate::engine::ENGINES;
+use crate::engine::Roster;
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::study::validation::engine_table;
 use std::process::ExitCode;
 
 /// Prints every engine and the keys of its `--set`.
-pub fn engines(format: String) -> Result<ExitCode, Failure> {
-    let all: Vec<crate::study::Column> = ENGINES
-        .iter()
-        .map(|engine| crate::study::Column::of(*engine))
-        .collect();
-    let mut blocks = vec![Block::Table(engine_table(&all))];
-    for engine in ENGINES {
+pub fn engines(format: String, roster: &Roster) -> Result<ExitCode, Failure> {
+    let mut blocks = vec![Block::Table(engine_table(roster.iter()))];
+    for engine in roster {
         let rows: Vec<Vec<Cell>> = engine
             .knobs()
             .into_iter()

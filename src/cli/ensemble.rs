@@ -2,6 +2,7 @@
 
 use super::arguments::{EnsembleArguments, parse_engines};
 use super::{Failure, bounds, publish, scene, terminal};
+use crate::engine::Roster;
 use crate::scene::Scene;
 use crate::scene::perturb::Law;
 use crate::study::Watch;
@@ -9,14 +10,14 @@ use crate::study::ensemble::{EnsembleError, Plan, page, plan_columns, study, sum
 use std::process::ExitCode;
 
 /// Runs an ensemble, prints the summary and writes the page if a folder is named.
-pub fn ensemble(arguments: &EnsembleArguments) -> Result<ExitCode, Failure> {
+pub fn ensemble(arguments: &EnsembleArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
     let plan = Plan {
         law: law(arguments, &scene),
         scene,
         samples: arguments.samples,
         seed: arguments.seed,
-        columns: plan_columns(&parse_engines(&arguments.engines)?),
+        columns: plan_columns(&parse_engines(roster, &arguments.engines)?),
     };
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);

@@ -3,6 +3,7 @@
 use super::arguments::{FuzzArguments, parse_engines};
 use super::exit::Exit;
 use super::{Failure, bounds, output, publish, terminal};
+use crate::engine::Roster;
 use crate::finding::Document;
 use crate::study::mutation::{Examples, Input};
 use crate::study::{Watch, mutation, random};
@@ -15,7 +16,7 @@ const SCENES: u64 = 10_000;
 type Shown = Vec<(String, Vec<u8>)>;
 
 /// Runs random scenes or reads mutated inputs, prints what they broke, and saves what shows it.
-pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
+pub fn fuzz(arguments: &FuzzArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     if let Some(index) = arguments.show {
         return terminal::print(&random::text(arguments.seed, index).unwrap_or_default());
     }
@@ -26,8 +27,8 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
         cancelled: terminal::cancelled(),
     };
     let (document, shown) = match arguments.inputs {
-        Some(inputs) => read(arguments, inputs, watch)?,
-        None => run(arguments, watch)?,
+        Some(inputs) => read(arguments, roster, inputs, watch)?,
+        None => run(arguments, roster, watch)?,
     };
     drop(progress);
     let found = !shown.is_empty();
@@ -47,7 +48,11 @@ pub fn fuzz(arguments: &FuzzArguments) -> Result<ExitCode, Failure> {
     })
 }
 
-fn run(arguments: &FuzzArguments, watch: Watch<'_>) -> Result<(Document, Shown), Failure> {
+fn run(
+    arguments: &FuzzArguments,
+    roster: &Roster,
+    watch: Watch<'_>,
+) -> Result<(Document, Shown), Failure> {
     let plan = random::Plan {
         first: arguments.first,
         scenes: bounds::indices(
@@ -56,7 +61,7 @@ fn run(arguments: &FuzzArguments, watch: Watch<'_>) -> Result<(Document, Shown),
             arguments.first,
         )?,
         seed: arguments.seed,
-        columns: parse_engines(&arguments.engines)?,
+        columns: parse_engines(roster, &arguments.engines)?,
         max_events: bounds::events_of_each(arguments.max_events)?,
     };
     let outcome = random::study(plan, watch);
@@ -71,10 +76,11 @@ fn run(arguments: &FuzzArguments, watch: Watch<'_>) -> Result<(Document, Shown),
 
 fn read(
     arguments: &FuzzArguments,
+    roster: &Roster,
     inputs: u64,
     watch: Watch<'_>,
 ) -> Result<(Document, Shown), Failure> {
-    let examples = Examples::new().ok_or_else(|| {
+    let examples = Examples::new(roster).ok_or_else(|| {
         Failure::Message("there is no example to mutate: the catalogue cannot be read".to_owned())
     })?;
     let plan = mutation::Plan {

@@ -24,6 +24,7 @@ mod stability;
 mod terminal;
 mod versions;
 
+use crate::engine::Roster;
 use crate::finding::Document;
 use crate::scene::is_hidden;
 use arguments::{Arguments, Command};
@@ -85,7 +86,7 @@ pub fn main() -> ExitCode {
             };
         }
     };
-    match dispatch(arguments.command) {
+    match dispatch(arguments.command, &Roster::built_in()) {
         Ok(code) => code,
         Err(Failure::Message(message)) => {
             terminal::say(&format!("error: {message}"));
@@ -170,22 +171,23 @@ fn write_site(
     Ok(site)
 }
 
-fn dispatch(command: Option<Command>) -> Result<ExitCode, Failure> {
+/// Runs a command with the engines that it may name.
+fn dispatch(command: Option<Command>, roster: &Roster) -> Result<ExitCode, Failure> {
     match command {
-        None => report::report(&arguments::ReportArguments::default()),
-        Some(Command::Report(arguments)) => report::report(&arguments),
-        Some(Command::Run(arguments)) => run::run(&arguments),
-        Some(Command::Compare(arguments)) => compare::compare(&arguments),
-        Some(Command::Cost(arguments)) => cost::cost(&arguments),
+        None => report::report(&arguments::ReportArguments::default(), roster),
+        Some(Command::Report(arguments)) => report::report(&arguments, roster),
+        Some(Command::Run(arguments)) => run::run(&arguments, roster),
+        Some(Command::Compare(arguments)) => compare::compare(&arguments, roster),
+        Some(Command::Cost(arguments)) => cost::cost(&arguments, roster),
         Some(Command::Horizon(arguments)) => horizon::horizon(&arguments),
-        Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments),
-        Some(Command::Effects(arguments)) => effects::effects(&arguments),
-        Some(Command::Play(arguments)) => play::play(&arguments),
-        Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments),
-        Some(Command::Check(arguments)) => check::check(&arguments),
-        Some(Command::Diff(arguments)) => diff::diff(&arguments),
-        Some(Command::Stability(arguments)) => stability::stability(&arguments),
-        Some(Command::Engines { format }) => engines::engines(format),
+        Some(Command::Ensemble(arguments)) => ensemble::ensemble(&arguments, roster),
+        Some(Command::Effects(arguments)) => effects::effects(&arguments, roster),
+        Some(Command::Play(arguments)) => play::play(&arguments, roster),
+        Some(Command::Fuzz(arguments)) => fuzz::fuzz(&arguments, roster),
+        Some(Command::Check(arguments)) => check::check(&arguments, roster),
+        Some(Command::Diff(arguments)) => diff::diff(&arguments, roster),
+        Some(Command::Stability(arguments)) => stability::stability(&arguments, roster),
+        Some(Command::Engines { format }) => engines::engines(format, roster),
         Some(Command::Scene { command, format }) => scene::scene(&command, format),
         Some(Command::Completions { shell }) => {
             let mut script = Vec::new();

@@ -4,13 +4,14 @@ use super::arguments::ReportArguments;
 use super::compare::columns;
 use super::cost::price_lists;
 use super::{Failure, scene, terminal, write_site};
+use crate::engine::Roster;
 use crate::finding::{Block, Cell, Document, Table};
 use crate::scene::{SetName, catalogue};
 use crate::study::{Watch, validation};
 use std::process::ExitCode;
 
 /// Runs the report's scenes, prints the summary and writes every file.
-pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
+pub fn report(arguments: &ReportArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let scenes = if arguments.scenes.is_empty() {
         catalogue::set(SetName::Report)?
     } else {
@@ -20,7 +21,7 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
             .map(|scene| scene::resolve(scene))
             .collect::<Result<_, _>>()?
     };
-    let columns = columns(arguments.engines.as_deref())?;
+    let columns = columns(roster, arguments.engines.as_deref())?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
     let watch = Watch {
@@ -31,7 +32,7 @@ pub fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
         &arguments.out,
         scenes.iter().map(|scene| scene.name.as_str()),
     );
-    let document = validation::study(&scenes, &columns, &prices, watch)?;
+    let document = validation::study(roster, &scenes, &columns, &prices, watch)?;
     drop(progress);
     let shown = first_screen(&document);
     let site = write_site(&shown, || document, &arguments.out, Vec::new())?;

@@ -2,28 +2,29 @@
 
 use super::arguments::RunArguments;
 use super::{Failure, bounds, output, scene, terminal};
-use crate::engine::{self, Limits, Setting};
+use crate::engine::{self, Limits, Roster, Setting};
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::scene::Scene;
+use crate::scene::{Scene, printable};
 use crate::study::compare::{describe_ending, describe_scene};
 use crate::trace::{Ending, Record, Trace, files};
 use std::process::ExitCode;
 
 /// Runs one scene in one engine, writes the trace and prints where the balls ended.
-pub fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
+pub fn run(arguments: &RunArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
     let refused = |refusal: engine::Refusal| {
         Failure::Message(format!("{} in {}: {refusal}", scene.name, arguments.engine))
     };
     let setting = Setting::parse(arguments.settings.iter().map(String::as_str)).map_err(refused)?;
-    let Some(engine) = engine::find(&arguments.engine) else {
+    let Some(engine) = roster.find(&arguments.engine) else {
         return Err(Failure::Message(format!(
-            "no engine is called `{}`",
-            arguments.engine
+            "no engine is called `{}`; there are {}",
+            printable(&arguments.engine),
+            roster.ids()
         )));
     };
-    let cadence = bounds::cadence(arguments.every, engine, &scene, &setting)?;
-    let run = engine::prepare(engine, &scene, &setting).map_err(refused)?;
+    let cadence = bounds::cadence(arguments.every, engine.as_ref(), &scene, &setting)?;
+    let run = engine::prepare(engine.as_ref(), &scene, &setting).map_err(refused)?;
     let limits = Limits {
         max_events: bounds::events(arguments.max_events)?,
         cancelled: terminal::cancelled(),

@@ -4,6 +4,7 @@ use super::accepted::{self, Place, Use};
 use super::arguments::{StabilityArguments, parse_engines};
 use super::exit::Exit;
 use super::{Failure, publish, terminal, versions};
+use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, SetName, catalogue};
@@ -19,9 +20,9 @@ const HARD: Use = Use {
 };
 
 /// Runs the hard cases, holds them against what was accepted, or accepts them.
-pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
+pub fn stability(arguments: &StabilityArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
-    let question = question(arguments)?;
+    let question = question(arguments, roster)?;
     let place = Place::new(&HARD, arguments.accepted.as_deref(), arguments.accept)?;
     // a file that cannot be read is said before anything runs
     let before = place.read(&names(&question.scenes))?;
@@ -56,12 +57,13 @@ pub fn stability(arguments: &StabilityArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-fn question(arguments: &StabilityArguments) -> Result<Question, Failure> {
+fn question(arguments: &StabilityArguments, roster: &Roster) -> Result<Question, Failure> {
     let presets = match &arguments.engines {
-        Some(list) => parse_engines(list)?,
-        None => presets(),
+        Some(list) => parse_engines(roster, list)?,
+        None => presets(roster),
     };
     Ok(Question {
+        roster: roster.clone(),
         scenes: scenes(arguments)?,
         presets,
         full: arguments.full,
@@ -214,7 +216,10 @@ impl<'a> Held<'a> {
             parts.push(format!("nothing is accepted of {}", unknown.join(", ")));
         }
         let known = self.accepted.iter().flatten();
-        parts.extend(gate::versions_sentence(known, &versions::of_engines()));
+        parts.extend(gate::versions_sentence(
+            known,
+            &versions::of_engines(&self.outcome.question.roster),
+        ));
         if self.left_out > 0 {
             parts.push(format!(
                 "{} accepted findings are not held: only --full makes their runs",
@@ -262,7 +267,7 @@ impl<'a> Held<'a> {
                 scene: scene.name.clone(),
                 hash: scene.hash(),
                 reason: reason.to_owned(),
-                versions: versions::of_engines(),
+                versions: versions::of_engines(&self.outcome.question.roster),
                 bits: Vec::new(),
                 rows: self.rows(index),
             };

@@ -1,13 +1,13 @@
 //! What gave accepted findings: program, engines, target, compiler, commit.
 
-use crate::engine::ENGINES;
+use crate::engine::Roster;
 use std::process::Command;
 
 /// Names and versions, without compiler and commit.
-pub fn of_engines() -> Vec<(String, String)> {
+pub fn of_engines(roster: &Roster) -> Vec<(String, String)> {
     let own = ("carom".to_owned(), env!("CARGO_PKG_VERSION").to_owned());
     let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
-    let engines = ENGINES
+    let engines = roster
         .iter()
         .map(|engine| (engine.id().to_owned(), engine.version()));
     std::iter::once(own)
@@ -17,8 +17,8 @@ pub fn of_engines() -> Vec<(String, String)> {
 }
 
 /// The same with the compiler that made the program.
-pub fn with_compiler() -> Vec<(String, String)> {
-    let mut versions = of_engines();
+pub fn with_compiler(roster: &Roster) -> Vec<(String, String)> {
+    let mut versions = of_engines(roster);
     let compiler = env!("CAROM_COMPILER");
     versions.push(("compiler".to_owned(), compiler.to_owned()));
     versions.retain(|(_, version)| !version.is_empty());
@@ -26,8 +26,8 @@ pub fn with_compiler() -> Vec<(String, String)> {
 }
 
 /// The same with the commit of the current folder where there is one.
-pub fn with_commit() -> Vec<(String, String)> {
-    let mut versions = with_compiler();
+pub fn with_commit(roster: &Roster) -> Vec<(String, String)> {
+    let mut versions = with_compiler(roster);
     let said = Command::new("git")
         .args(["rev-parse", "--short=12", "HEAD"])
         .output();

@@ -1,7 +1,6 @@
-//! What the clock of a run can tell, by the same rule for every engine: how long a scene may last, and how many steps it may take.
+//! What the clock of a run can tell, by the same rule for every engine: how long a scene may last.
 
 use super::Refusal;
-use super::setting::refuse;
 use crate::physics::Cloth;
 use crate::scene::Scene;
 
@@ -33,18 +32,4 @@ pub(super) fn check(scene: &Scene) -> Result<(), Refusal> {
         duration: scene.duration,
         most,
     })
-}
-
-/// Refuses a step by which a scene takes more than `most` steps, or none.
-pub(super) fn check_step(dt: f64, scene: &Scene, most: f64) -> Result<(), Refusal> {
-    let steps = scene.duration / dt;
-    if dt > 0.0 && steps <= most {
-        return Ok(());
-    }
-    let longest = format!("the {} s of scene {}", scene.duration, scene.name);
-    Err(refuse(if dt > 0.0 {
-        format!("`dt={dt}`: {longest} would take {steps:.1e} steps, more than {most:.0e}; raise dt")
-    } else {
-        format!("`dt={dt}`: expected a step above 0 s, for {longest}")
-    }))
 }

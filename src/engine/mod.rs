@@ -1,40 +1,42 @@
 //! The border between scenes and engines: what an engine is, and the only way to a run.
 //!
 //! [`prepare`] asks what is missing, builds the run, and audits that what is inside the engine is the scene. Inside this
-//! module no engine knows another; adding one is a folder and one line in [`ENGINES`].
+//! module no engine knows another; adding one is a folder and one line in [`Roster::built_in`]. What every engine needs that advances a
+//! whole world by fixed steps is in [`stepped`], which is no engine.
 
 mod audit;
 pub mod built;
 mod clock;
 pub mod exact;
+mod preset;
 pub mod rapier;
+mod roster;
 mod setting;
 pub mod sheet;
+pub mod stepped;
 pub mod stepper;
 
 pub use audit::{Inside, PairMaterial, Partner};
 pub use built::Built;
-pub use setting::{Knob, Setting};
+pub use preset::Preset;
+pub use roster::{Roster, Twice};
+pub use setting::{Knob, KnobRole, Setting};
 pub use sheet::{Parameter, Role};
 
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use thiserror::Error;
 
-/// Every engine of the workbench, in the order in which reports list them.
-pub static ENGINES: &[&dyn Engine] = &[
-    &stepper::Stepper,
-    &exact::Exact,
-    &rapier::RAPIER_F64,
-    &rapier::RAPIER_F32,
-];
+/// A name or a phrase: a constant of a built-in engine, or made by one that says of itself what it is called.
+pub type Name = Cow<'static, str>;
 
 /// One way to simulate a scene.
-pub trait Engine: Sync {
+pub trait Engine: Send + Sync {
     /// Unique kebab-case name.
-    fn id(&self) -> &'static str;
+    fn id(&self) -> &str;
 
     /// Name, version and source of what does the work, such as `rapier3d-f64 0.36.1 (registry)`.
     fn version(&self) -> String;
@@ -47,20 +49,54 @@ pub trait Engine: Sync {
     /// What it is and how it solves in time, in one sentence; and which code it shares with other engines.
     fn about(&self) -> About;
 
+    /// What engines have in common that differ in their arithmetic alone and take the same settings; else the id.
+    fn family(&self) -> &str {
+        self.id()
+    }
+
+    /// True where it solves for its events and steps no time, so that others can be held against what it answers.
+    fn solves(&self) -> bool {
+        false
+    }
+
+    /// Spacing of the numbers of its scalar just above 1 with this setting.
+    fn ulp(&self, _setting: &Setting) -> f64 {
+        f64::EPSILON
+    }
+
     /// The knobs of `--set`, with meaning and default.
     fn knobs(&self) -> Vec<Knob>;
 
+    /// Settings by which it is known: the defaults, then others that it is worth comparing by. What runs where none is named.
+    fn presets(&self) -> Vec<Preset> {
+        vec![Preset::default()]
+    }
+
     /// What the scene calls for and the engine cannot simulate; empty when it can run the scene.
-    fn missing(&self, scene: &Scene) -> Vec<&'static str>;
+    fn missing(&self, scene: &Scene) -> Vec<Name>;
 
     /// Invariants that hold for every run of the scene with this setting; a trace that breaks one is a defect.
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant>;
 
     /// Named families of settings from coarse to fine, for a study of cost; those that matter most first.
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)>;
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)>;
 
-    /// How it goes through time with this setting, for plans. Errors: a setting that it refuses.
+    /// How it goes through time with this setting, for plans: the only budget. Errors: a setting that it cannot read, or by which it
+    /// would never come to an end.
     fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal>;
+
+    /// Its step with this setting, s; `None` for an engine that has none, and for a setting that it cannot read.
+    fn step(&self, setting: &Setting) -> Option<f64> {
+        let knob = step_knob(self.knobs())?;
+        let given = setting.values.get(&knob.key);
+        given.unwrap_or(&knob.default).parse().ok()
+    }
+
+    /// The same setting with a step of `dt`, s; `None` for an engine that has none.
+    fn with_step(&self, setting: &Setting, dt: f64) -> Option<Setting> {
+        let knob = step_knob(self.knobs())?;
+        Some(setting.clone().with(&knob.key, format!("{dt:e}")))
+    }
 
     /// The same setting with nothing asleep: what is timed, so that a time is that of the whole scene.
     fn awake(&self, setting: &Setting) -> Setting {
@@ -69,7 +105,7 @@ pub trait Engine: Sync {
 
     /// Settings that differ from `setting` in one knob each, and what that knob stands for: each removes one source of
     /// error that can act in the scene, so that a study can name the one that makes a difference disappear.
-    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)>;
+    fn ablations(&self, scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)>;
 
     /// Builds a run. Call [`prepare`] instead, which also asks and audits.
     fn prepare<'a>(
@@ -77,6 +113,11 @@ pub trait Engine: Sync {
         scene: &'a Scene,
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal>;
+}
+
+/// The knob that is an engine's step.
+pub fn step_knob(knobs: Vec<Knob>) -> Option<Knob> {
+    knobs.into_iter().find(|knob| knob.role == KnobRole::Step)
 }
 
 /// How an engine goes through time.
@@ -89,12 +130,14 @@ pub struct Pace {
 }
 
 /// What a reader should know of an engine before believing its numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
+    /// What it is called in a sentence: `the report's model`.
+    pub name: Name,
     /// How it solves in time, in one sentence.
-    pub method: &'static str,
+    pub method: Name,
     /// Code it shares with other engines; what two engines share cannot be tested by comparing them.
-    pub shares: &'static str,
+    pub shares: Name,
 }
 
 /// A scene that is inside an engine and ready to run.
@@ -156,11 +199,13 @@ pub enum Refusal {
     #[error("cannot simulate {}", missing.join(", "))]
     NotComparable {
         /// What it lacks: ids of effects, or a phrase.
-        missing: Vec<&'static str>,
+        missing: Vec<Name>,
     },
     /// A setting is unknown, of the wrong type, or out of range.
     #[error("{message}")]
     Setting {
+        /// The key that is at fault; `None` where no single one is.
+        key: Option<String>,
         /// What is wrong and what would be right.
         message: String,
     },
@@ -184,11 +229,6 @@ pub enum Refusal {
     /// The user asked to stop before it had come to its end. No refusal of the engine's: another time it runs.
     #[error("was stopped before its end")]
     Stopped,
-}
-
-/// The engine called `id`.
-pub fn find(id: &str) -> Option<&'static dyn Engine> {
-    ENGINES.iter().copied().find(|engine| engine.id() == id)
 }
 
 /// Asks whether an engine can run a scene at all: whether it lacks something, and whether any clock can tell.

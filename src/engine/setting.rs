@@ -23,6 +23,22 @@ pub struct Knob {
     pub default: String,
     /// Meaning, unit and effect; for a choice also its words.
     pub what: String,
+    /// The words of a choice; empty for a number.
+    pub choices: Vec<String>,
+    /// What it is to a study.
+    pub role: KnobRole,
+}
+
+/// What a knob is to a study.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum KnobRole {
+    /// The engine's step, s.
+    Step,
+    /// It stands for the defaults of other knobs and has no effect of its own.
+    Preset,
+    /// Any other.
+    #[default]
+    Plain,
 }
 
 impl Setting {
@@ -31,11 +47,12 @@ impl Setting {
         let mut values = BTreeMap::new();
         for pair in pairs {
             let Some((key, value)) = pair.split_once('=') else {
-                return Err(refuse(format!("`{pair}` is not KEY=VALUE")));
+                return Err(refuse(None, format!("`{pair}` is not KEY=VALUE")));
             };
             let (key, value) = (key.trim().to_owned(), value.trim().to_owned());
             if values.insert(key.clone(), value).is_some() {
-                return Err(refuse(format!("`{key}` is set twice")));
+                let message = format!("`{key}` is set twice");
+                return Err(refuse(Some(&key), message));
             }
         }
         Ok(Setting { values })
@@ -45,6 +62,17 @@ impl Setting {
     pub fn with(mut self, key: &str, value: impl ToString) -> Self {
         self.values.insert(key.to_owned(), value.to_string());
         self
+    }
+
+    /// What is set besides `other`; `None` where something of it is not set, or to another value.
+    pub fn besides(&self, other: &Setting) -> Option<Setting> {
+        let mut rest = self.clone();
+        for (key, value) in &other.values {
+            if rest.values.remove(key).as_ref() != Some(value) {
+                return None;
+            }
+        }
+        Some(rest)
     }
 
     /// Reads the setting into an engine's struct `S`, starting from its defaults.
@@ -62,21 +90,20 @@ impl Setting {
         for (key, text) in &self.values {
             let Some(default) = untouched.get(key) else {
                 let known: Vec<&str> = untouched.keys().map(String::as_str).collect();
-                return Err(refuse(format!(
-                    "unknown setting `{key}`; known are {}",
-                    known.join(", ")
-                )));
+                let message = format!("unknown setting `{key}`; known are {}", known.join(", "));
+                return Err(refuse(Some(key), message));
             };
             let value = value_like(default, key, text)?;
             // each key by itself first, so that the answer names it
             let mut alone = untouched.clone();
             alone.insert(key.clone(), value.clone());
             if let Err(error) = serde_json::from_value::<S>(Value::Object(alone)) {
-                return Err(refuse(format!("`{key}={text}`: {error}")));
+                return Err(refuse(Some(key), format!("`{key}={text}`: {error}")));
             }
             fields.insert(key.clone(), value);
         }
-        serde_json::from_value(Value::Object(fields)).map_err(|error| refuse(error.to_string()))
+        serde_json::from_value(Value::Object(fields))
+            .map_err(|error| refuse(None, error.to_string()))
     }
 }
 
@@ -93,8 +120,9 @@ pub fn parameters<S: Serialize>(settings: &S) -> BTreeMap<String, Value> {
     fields_of(settings).into_iter().collect()
 }
 
-/// The knobs of a settings struct: keys and defaults from its serialisation, meaning from its comments.
-pub fn knobs_of<S: Serialize + Default + JsonSchema>() -> Vec<Knob> {
+/// The knobs of a settings struct: keys and defaults from its serialisation, meaning and choices from its schema. `roles`: of those
+/// that are not plain.
+pub fn knobs_of<S: Serialize + Default + JsonSchema>(roles: &[(&str, KnobRole)]) -> Vec<Knob> {
     let schema = schemars::schema_for!(S);
     let described = |key: &str| {
         let property = schema.pointer(&format!("/properties/{key}"));
@@ -106,10 +134,33 @@ pub fn knobs_of<S: Serialize + Default + JsonSchema>() -> Vec<Knob> {
     };
     let knob = |(key, value): (String, Value)| Knob {
         what: described(&key),
+        choices: choices(schema.as_value(), &key),
+        role: (roles.iter().find(|(of, _)| *of == key)).map_or(KnobRole::Plain, |(_, role)| *role),
         default: plain(&value),
         key,
     };
     fields_of(&S::default()).into_iter().map(knob).collect()
+}
+
+/// The words of a choice among the properties of a schema; empty for any other property.
+fn choices(schema: &Value, key: &str) -> Vec<String> {
+    let named = |reference: &Value| {
+        let name = reference.as_str()?.strip_prefix('#')?;
+        schema.pointer(name)
+    };
+    let property = schema.pointer(&format!("/properties/{key}"));
+    let choice = property.and_then(|property| property.get("$ref").map_or(Some(property), named));
+    let words = |list: &Value| -> Vec<String> {
+        let word = |one: &Value| one.get("const").unwrap_or(one).as_str().map(str::to_owned);
+        list.as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(word)
+            .collect()
+    };
+    let lists = ["oneOf", "enum"].into_iter();
+    let lists = lists.filter_map(|list| choice?.get(list));
+    lists.flat_map(words).collect()
 }
 
 /// A value as it is written after `=`.
@@ -122,7 +173,7 @@ fn plain(value: &Value) -> String {
 
 /// Reads `text` as the same type as the default `field`.
 fn value_like(field: &Value, key: &str, text: &str) -> Result<Value, Refusal> {
-    let wrong = |wanted: &str| refuse(format!("`{key}={text}`: expected {wanted}"));
+    let wrong = |wanted: &str| refuse(Some(key), format!("`{key}={text}`: expected {wanted}"));
     match field {
         Value::Bool(_) => text
             .parse()
@@ -140,9 +191,12 @@ fn value_like(field: &Value, key: &str, text: &str) -> Result<Value, Refusal> {
     }
 }
 
-/// A refusal because of a setting.
-pub fn refuse(message: String) -> Refusal {
-    Refusal::Setting { message }
+/// A refusal because of a setting; `key`: the one that is at fault, if a single one is.
+pub fn refuse(key: Option<&str>, message: String) -> Refusal {
+    Refusal::Setting {
+        key: key.map(str::to_owned),
+        message,
+    }
 }
 
 impl fmt::Display for Setting {

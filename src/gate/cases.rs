@@ -44,7 +44,9 @@ pub fn hold_cases(outcome: &Outcome, scene: usize, accepted: &Accepted, some: bo
             Some(case) => case.judged.is_some() || case.planned.reach == Reach::Never,
             None if some => reaches
                 .entry(row.engine.as_str())
-                .or_insert_with(|| reach_of(own_scene, oracle, &row.engine))
+                .or_insert_with(|| {
+                    reach_of(&outcome.question.roster, own_scene, oracle, &row.engine)
+                })
                 .is_none(),
             None => true,
         };

@@ -4,7 +4,7 @@
 
 use crate::math::worse;
 use crate::scene::Scene;
-use crate::trace::Trace;
+use crate::trace::{Counter, Trace};
 
 /// A run that is held.
 #[derive(Clone, Copy, Debug)]
@@ -37,13 +37,16 @@ impl<'a> Run<'a> {
 
     /// How often an impact may have rounded: exchanges where they are counted, else events, and one more for the motion between them.
     pub fn impacts(&self) -> f64 {
-        let exchanges = self.count("exchanges").unwrap_or(0);
+        let exchanges = self.trace.count(Counter::Exchanges).unwrap_or(0);
         exchanges.max(self.trace.events.len() as u64) as f64 + 1.0
     }
 
     /// In how many parts of a step a contact is solved; 1 for an engine that does not divide its steps.
     pub fn substeps(&self) -> f64 {
-        let substeps = match (self.count("substeps"), self.count("steps")) {
+        let substeps = match (
+            self.trace.count(Counter::Substeps),
+            self.trace.count(Counter::Steps),
+        ) {
             (Some(substeps), Some(steps)) if steps > 0 => (substeps / steps).max(1),
             _ => 1,
         };
@@ -52,7 +55,7 @@ impl<'a> Run<'a> {
 
     /// Most steps for which a pair stayed in contact; 1 where nobody counted.
     pub fn contact_steps(&self) -> f64 {
-        let counted = self.count("longest_overlap_steps");
+        let counted = self.trace.count(Counter::LongestOverlap);
         counted.map_or(1.0, |steps| steps.max(1) as f64)
     }
 
@@ -95,10 +98,6 @@ impl<'a> Run<'a> {
             rounding: self.rounding(self.trace.end_time),
             step: step.collect(),
         }
-    }
-
-    fn count(&self, name: &str) -> Option<u64> {
-        self.trace.counters.get(name).copied()
     }
 }
 

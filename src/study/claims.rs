@@ -5,7 +5,7 @@
 
 use super::matrix::{self, Column, Timing, Watch};
 use crate::compare::largest_distance_at_end;
-use crate::engine::{self, Setting};
+use crate::engine::{Roster, Setting};
 use crate::finding::{Align, Block, Cell, Column as TableColumn, Document, Table};
 use crate::math::Vec3;
 use crate::physics::cloth::translational::{stop_distance, stop_time};
@@ -47,9 +47,9 @@ impl Claim {
 }
 
 /// Computes every claim, the most consequential first.
-pub fn audit(watch: Watch<'_>) -> Result<Vec<Claim>, SceneError> {
+pub fn audit(roster: &Roster, watch: Watch<'_>) -> Result<Vec<Claim>, SceneError> {
     let shot = catalogue::scene("report-break")?;
-    let lab = Lab { watch };
+    let lab = Lab { roster, watch };
     Ok(vec![
         lab.launch_depends_on_the_step(&shot),
         lab.units_are_mixed(&shot),
@@ -106,6 +106,7 @@ pub fn page(claims: &[Claim]) -> Document {
 
 /// Where the claims are put to the test.
 struct Lab<'a> {
+    roster: &'a Roster,
     watch: Watch<'a>,
 }
 
@@ -116,10 +117,7 @@ impl Lab<'_> {
             progress: &|_, _, _| {},
             cancelled: self.watch.cancelled,
         };
-        let column = Column {
-            engine: engine::find(engine)?,
-            setting,
-        };
+        let column = Column::with(self.roster.find(engine)?, setting);
         let cells = matrix::run_row(scene, &[column], Record::Events, Timing::None, silent);
         cells.into_iter().next()?.ok().map(|ran| ran.trace)
     }

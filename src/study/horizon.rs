@@ -31,6 +31,7 @@ pub fn study(
         ..Limits::NONE
     };
     let refused = || Refusal::Setting {
+        key: None,
         message: format!(
             "a horizon needs a precision with a finer one to be held against, and a scene of at most {} balls; this one has {}",
             crate::engine::exact::horizon::MOST_BALLS,

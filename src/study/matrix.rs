@@ -1,6 +1,6 @@
 //! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
-use crate::engine::{self, ENGINES, Engine, Limits, Parameter, Refusal, Run, Setting};
+use crate::engine::{self, Engine, Limits, Parameter, Preset, Refusal, Roster, Run, Setting};
 use crate::math::statistics::Distribution;
 use crate::scene::{Scene, printable};
 use crate::trace::{Record, Trace};
@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -18,38 +19,80 @@ pub const MOST_COLUMNS: usize = 256;
 #[derive(Clone)]
 pub struct Column {
     /// The engine.
-    pub engine: &'static dyn Engine,
+    pub engine: Arc<dyn Engine>,
     /// Its setting; empty for the defaults.
     pub setting: Setting,
 }
 
 impl Column {
     /// A column with every default.
-    pub fn of(engine: &'static dyn Engine) -> Self {
+    pub fn of(engine: &Arc<dyn Engine>) -> Self {
+        Column::with(engine, Setting::default())
+    }
+
+    /// A column with a setting.
+    pub fn with(engine: &Arc<dyn Engine>, setting: Setting) -> Self {
         Column {
-            engine,
-            setting: Setting::default(),
+            engine: Arc::clone(engine),
+            setting,
         }
     }
 
+    /// A column for each preset of the roster's engines that is wanted, in order.
+    pub fn presets(roster: &Roster, wanted: impl Fn(&Preset) -> bool) -> Vec<Column> {
+        let mut columns = Vec::new();
+        for engine in roster {
+            let presets = engine.presets().into_iter().filter(&wanted);
+            columns.extend(presets.map(|preset| Column::with(engine, preset.setting)));
+        }
+        columns
+    }
+
+    /// The columns in which engines solve before those in which they step; the order of each is kept.
+    pub fn solvers_first(columns: &mut [Column]) {
+        columns.sort_by_key(|column| !column.engine.solves());
+    }
+
+    /// The preset of the engine that the setting extends, and what is set besides: of several the one that sets most.
+    pub fn preset(&self) -> Option<(Preset, Setting)> {
+        let presets = self.engine.presets().into_iter();
+        let extended = presets.filter_map(|preset| {
+            let besides = self.setting.besides(&preset.setting)?;
+            Some((preset, besides))
+        });
+        extended.min_by_key(|(_, besides)| besides.values.len())
+    }
+
+    /// What the engine says of its setting, if that is a preset of its own and nothing more.
+    pub fn is_preset(&self, wanted: impl Fn(&Preset) -> bool) -> bool {
+        let own = self.preset();
+        own.is_some_and(|(preset, besides)| besides.values.is_empty() && wanted(&preset))
+    }
+
+    /// As in a list of engines: `ID:KEY=VALUE`.
+    pub fn spec(&self) -> String {
+        let id = self.engine.id().to_owned();
+        let pairs = self.setting.values.iter();
+        pairs.fold(id, |spec, (key, value)| format!("{spec}:{key}={value}"))
+    }
+
     /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`. Errors: what is wrong and what would be right, in one sentence.
-    pub fn list(list: &str) -> Result<Vec<Column>, String> {
+    pub fn list(roster: &Roster, list: &str) -> Result<Vec<Column>, String> {
         let mut columns: Vec<Column> = Vec::new();
         let mut labels = HashSet::new();
         for item in list.split(',').map(str::trim) {
             let mut parts = item.split(':');
             let id = parts.next().unwrap_or_default();
-            let Some(engine) = engine::find(id) else {
-                let known: Vec<&str> = ENGINES.iter().map(|engine| engine.id()).collect();
+            let Some(engine) = roster.find(id) else {
                 return Err(format!(
                     "no engine is called `{}`; there are {}",
                     printable(id),
-                    known.join(", ")
+                    roster.ids()
                 ));
             };
             let setting = Setting::parse(parts)
                 .map_err(|refusal| format!("{}: {refusal}", printable(item)))?;
-            let column = Column { engine, setting };
+            let column = Column::with(engine, setting);
             if !labels.insert(column.label()) {
                 return Err(format!("`{}` is listed twice", printable(item)));
             }
@@ -290,7 +333,7 @@ pub fn time_alone(
     };
     let once = || -> Result<(f64, Trace), Refusal> {
         // set-up is outside the stopwatch
-        let run = engine::prepare(column.engine, scene, &column.setting)?;
+        let run = engine::prepare(column.engine.as_ref(), scene, &column.setting)?;
         let start = Instant::now();
         let trace = to_its_end(run, Record::Final, &limits)?;
         Ok((start.elapsed().as_secs_f64(), trace))
@@ -425,7 +468,7 @@ pub fn run_one(
     record: Record,
     limits: &Limits<'_>,
 ) -> Result<Trace, Refusal> {
-    let run = engine::prepare(column.engine, scene, &column.setting)?;
+    let run = engine::prepare(column.engine.as_ref(), scene, &column.setting)?;
     to_its_end(run, record, limits)
 }
 
@@ -522,7 +565,7 @@ fn run_within(
     if limits.is_cancelled() {
         return Err(Refusal::Stopped);
     }
-    let run = engine::prepare(column.engine, scene, &column.setting)?;
+    let run = engine::prepare(column.engine.as_ref(), scene, &column.setting)?;
     // what many balls are told takes its time too
     let sheet = limits.whole(|| run.sheet()).ok_or(Refusal::Stopped)?;
     let start = Instant::now();

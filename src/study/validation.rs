@@ -7,29 +7,23 @@ use super::curves;
 use super::ensemble;
 use super::extent::Extent;
 use super::matrix::{Column, Timing, Watch};
-use crate::engine::ENGINES;
+use crate::engine::{Engine, Roster};
 use crate::finding::{
     Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
 };
 use crate::math::worse;
 use crate::scene::{Scene, SceneError, catalogue};
+use std::sync::Arc;
 
 /// Final positions closer to the exact ones than this, in R, are marked as good: a hundredth of a ball's radius.
 const GOOD_WITHIN: f64 = 1e-2;
-
-/// The engine and setting that stand for the report's model in the first sentence.
-const REPORTS_MODEL: &str = "stepper";
-/// What it is held against there.
-const RIVAL: &str = "rapier-f64";
-
-/// The engines of the page of the impact laws.
-const CURVES: [&str; 2] = ["exact", "stepper contact=approaching-only"];
 
 /// Runs the comparison of every scene and the audit, and writes the report as a document.
 ///
 /// `prices`: what earlier studies of cost left. `progress` counts scenes and the audit. A report that was stopped concludes from the scenes
 /// that were compared to the end, and says so.
 pub fn study(
+    roster: &Roster,
     scenes: &[Scene],
     columns: &[Column],
     prices: &[PriceList],
@@ -57,7 +51,7 @@ pub fn study(
         surroundings.push(blocks);
     }
     (watch.progress)(scenes.len(), total, "the report's claims");
-    let claims = watch.whole(|| claims::audit(silent)).transpose()?;
+    let claims = watch.whole(|| claims::audit(roster, silent)).transpose()?;
     let laws = watch.whole(|| laws(columns, silent)).transpose()?;
     (watch.progress)(total, total, "done");
     let stopped_early = Extent::of(outcomes.len() as u64, scenes.len() as u64)
@@ -71,7 +65,7 @@ pub fn study(
             )
         });
     let claims = claims.unwrap_or_default();
-    let mut document = conclude(scenes, &outcomes, &claims, columns, prices);
+    let mut document = conclude(roster, scenes, &outcomes, &claims, columns, prices);
     document.stopped_early = stopped_early;
     for (page, blocks) in document.pages.iter_mut().zip(surroundings) {
         ensemble::surround(page, blocks);
@@ -80,11 +74,12 @@ pub fn study(
     Ok(document)
 }
 
-/// The page of the impact laws beside published curves, in the engines of the report that it is quick in; `None` if there are none.
+/// The page of the impact laws beside published curves, in the engines of the report that promise to hold them; `None` if there are
+/// none.
 fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneError> {
     let quick: Vec<Column> = columns
         .iter()
-        .filter(|column| CURVES.contains(&column.label().as_str()))
+        .filter(|column| column.is_preset(|preset| preset.sound))
         .cloned()
         .collect();
     if quick.is_empty() {
@@ -97,6 +92,7 @@ fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneE
 }
 
 fn conclude(
+    roster: &Roster,
     scenes: &[Scene],
     outcomes: &[Outcome],
     claims: &[Claim],
@@ -118,7 +114,7 @@ fn conclude(
     blocks.push(Block::Figure(cost_figure(outcomes)));
     blocks.extend(cost::listing(scenes, prices));
     blocks.push(Block::Heading("Engines, and who shares what".to_owned()));
-    blocks.push(Block::Table(engine_table(columns)));
+    blocks.push(Block::Table(engine_table(engines_of(roster, columns))));
     blocks.push(Block::Heading("How to reproduce every number".to_owned()));
     blocks.push(Block::Command("carom report".to_owned()));
     blocks.push(Block::Text(format!(
@@ -134,22 +130,36 @@ fn conclude(
         id: "index".to_owned(),
         stopped_early: None,
         title: "carom validation report".to_owned(),
-        lead: first_sentence(outcomes),
+        lead: first_sentence(outcomes, columns),
         blocks,
         pages,
     }
 }
 
+/// The engines whose agreement the first sentence tells of: at their defaults, the first that steps, and the first after it that has
+/// nothing in common with it.
+fn rivals(columns: &[Column]) -> Option<[&Column; 2]> {
+    let stepping = |column: &&Column| !column.engine.solves() && column.setting.values.is_empty();
+    let mut stepping = columns.iter().filter(stepping);
+    let first = stepping.next()?;
+    let other = stepping.find(|other| other.engine.family() != first.engine.family())?;
+    Some([first, other])
+}
+
 /// "In n of m scenes the report's model and rapier agree ...; they part in ... because ...".
 ///
 /// They agree where both have the same collisions in the same order.
-fn first_sentence(outcomes: &[Outcome]) -> String {
+fn first_sentence(outcomes: &[Outcome], columns: &[Column]) -> String {
+    let Some(rivals) = rivals(columns) else {
+        return "No two engines that step were compared.".to_owned();
+    };
+    let [model, rival] = rivals.map(|column| column.engine.about().name);
     let pairs: Vec<(&Outcome, &PairOutcome)> = outcomes
         .iter()
-        .filter_map(|o| Some((o, rivals(o)?)))
+        .filter_map(|o| Some((o, pair_of(o, rivals)?)))
         .collect();
     if pairs.is_empty() {
-        return "The report's model and rapier were not compared.".to_owned();
+        return capitalised(format!("{model} and {rival} were not compared."));
     }
     let (same, other): (Vec<_>, Vec<_>) = pairs
         .iter()
@@ -162,14 +172,14 @@ fn first_sentence(outcomes: &[Outcome]) -> String {
         format!(", with final positions up to {r:.1} R apart")
     });
     let mut sentence = format!(
-        "In {} of {} scenes the report's model and rapier have the same collisions in the same order{apart}",
+        "In {} of {} scenes {model} and {rival} have the same collisions in the same order{apart}",
         same.len(),
         pairs.len()
     );
     if !other.is_empty() {
         let mut reasons: Vec<(String, usize)> = Vec::new();
         for (outcome, _) in &other {
-            let reason = reason(outcome);
+            let reason = reason(outcome, rivals);
             match reasons.iter_mut().find(|(known, _)| *known == reason) {
                 Some((_, count)) => *count += 1,
                 None => reasons.push((reason, 1)),
@@ -188,16 +198,22 @@ fn first_sentence(outcomes: &[Outcome]) -> String {
     sentence + "."
 }
 
-/// Why the report's model and rapier part in a scene: what moved the first of them to leave the exact solution.
-fn reason(outcome: &Outcome) -> String {
+fn capitalised(sentence: String) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// Why two engines part in a scene: what moved the first of them to leave the exact solution.
+fn reason(outcome: &Outcome, rivals: [&Column; 2]) -> String {
     if outcome.reference.is_none() {
         return "simultaneous hits leave no single right answer".to_owned();
     }
-    let rivals = outcome
-        .entries
-        .iter()
-        .filter(|e| [REPORTS_MODEL, RIVAL].contains(&e.label().as_str()));
-    let parted = rivals
+    let labels = rivals.map(Column::label);
+    let own = outcome.entries.iter();
+    let own = own.filter(|entry| labels.contains(&entry.label()));
+    let parted = own
         .filter_map(|e| e.standing.as_ref())
         .filter_map(|s| Some((s.order.parting.as_ref()?.time(), s)));
     let first = parted.min_by(|a, b| a.0.total_cmp(&b.0));
@@ -210,14 +226,12 @@ fn reason(outcome: &Outcome) -> String {
     }
 }
 
-/// The report's model against rapier, both at their defaults.
-fn rivals(outcome: &Outcome) -> Option<&PairOutcome> {
+/// One engine against the other.
+fn pair_of<'a>(outcome: &'a Outcome, rivals: [&Column; 2]) -> Option<&'a PairOutcome> {
+    let labels = rivals.map(Column::label);
     outcome.pairs.iter().find(|pair| {
         let label = |i: usize| outcome.entries[i].label();
-        (
-            label(pair.entries.0).as_str(),
-            label(pair.entries.1).as_str(),
-        ) == (REPORTS_MODEL, RIVAL)
+        [label(pair.entries.0), label(pair.entries.1)] == labels
     })
 }
 
@@ -365,26 +379,33 @@ fn cost_figure(outcomes: &[Outcome]) -> Figure {
     }
 }
 
+/// The engines of some columns, each once.
+fn engines_of<'a>(
+    roster: &'a Roster,
+    columns: &'a [Column],
+) -> impl Iterator<Item = &'a Arc<dyn Engine>> {
+    roster.iter().filter(|engine| {
+        columns
+            .iter()
+            .any(|column| column.engine.id() == engine.id())
+    })
+}
+
 /// Versions, methods, and code that engines share.
-pub fn engine_table(columns: &[Column]) -> Table {
+pub fn engine_table<'a>(engines: impl Iterator<Item = &'a Arc<dyn Engine>>) -> Table {
     let heads = vec![
         TableColumn::words("engine", "engine"),
         TableColumn::words("version", "version"),
         TableColumn::words("method", "method"),
         TableColumn::words("shares", "shares"),
     ];
-    let used = ENGINES.iter().filter(|engine| {
-        columns
-            .iter()
-            .any(|column| column.engine.id() == engine.id())
-    });
-    let rows = used.map(|engine| {
+    let rows = engines.map(|engine| {
         let about = engine.about();
         vec![
             Cell::text(engine.id()),
             Cell::text(engine.version()),
-            Cell::text(about.method),
-            Cell::text(about.shares),
+            Cell::text(about.method.into_owned()),
+            Cell::text(about.shares.into_owned()),
         ]
     });
     let note = "What two engines share cannot be tested by comparing them.";

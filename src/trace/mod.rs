@@ -1,6 +1,7 @@
 //! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
 
 mod certainty;
+mod counter;
 mod event;
 pub mod files;
 mod path;
@@ -8,6 +9,7 @@ mod recorder;
 pub mod thin;
 
 pub use certainty::Certainty;
+pub use counter::Counter;
 pub use event::{Event, EventKind};
 pub use path::{Knot, Path};
 pub use recorder::{Record, Recorder};
@@ -34,7 +36,7 @@ pub struct Trace {
     pub stop_times: Vec<Option<f64>>,
     /// The worst values of quantities that should stay small.
     pub extrema: Extrema,
-    /// Deterministic counts of the work done (steps, root calls, contacts), by name.
+    /// Deterministic counts of the work done, by name: the ids of [`Counter`], and what other programs count.
     pub counters: BTreeMap<String, u64>,
     /// Why the run ended.
     pub ending: Ending,
@@ -59,6 +61,15 @@ pub struct Provenance {
     pub resolution: f64,
     /// Speed at or below which the engine calls a ball stopped, length/s.
     pub rest_speed: f64,
+    /// Spacing of the engine's numbers just above 1; finer than f64's where it computes in more digits than the trace holds.
+    pub ulp: f64,
+}
+
+impl Provenance {
+    /// Relative rounding of the numbers of the trace, which is f64 at the finest.
+    pub fn rounding(&self) -> f64 {
+        self.ulp.max(f64::EPSILON)
+    }
 }
 
 /// The worst value of one quantity over a run.
@@ -185,6 +196,11 @@ impl Trace {
         self.events
             .retain(|event| matches!(event.kind, EventKind::Pocket(..)));
         self.certainty.clear();
+    }
+
+    /// How much of one kind of work was done; `None` where the engine does not count it.
+    pub fn count(&self, counter: Counter) -> Option<u64> {
+        self.counters.get(counter.id()).copied()
     }
 
     /// Number of the pocket into which ball `i` fell; `None` while it is in play.

@@ -1,9 +1,8 @@
 //! The only writer of traces: knots, events, stop times and extrema, the same for every engine.
 
-use super::{Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Trace};
+use super::{Counter, Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Trace};
 use crate::physics::State;
 use crate::scene::Scene;
-use std::collections::BTreeMap;
 
 /// How much of a run is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,7 +224,7 @@ impl Recorder {
         time: f64,
         states: &[State],
         ending: Ending,
-        counters: BTreeMap<String, u64>,
+        counters: impl IntoIterator<Item = (Counter, u64)>,
     ) -> Trace {
         for (ball, state) in states.iter().enumerate() {
             if self.pocketed[ball] {
@@ -245,7 +244,10 @@ impl Recorder {
             certainty: Vec::new(),
             stop_times: self.stop_times,
             extrema: self.extrema,
-            counters,
+            counters: counters
+                .into_iter()
+                .map(|(counter, count)| (counter.id().to_owned(), count))
+                .collect(),
             ending,
             end_time: time,
         }

@@ -1,5 +1,6 @@
 //! What a request asks for: a scene as written, fields to be put into it, engines.
 
+use super::Site;
 use super::encoding::{Pairs, unpacked};
 use super::form::{Engines, Form, changed, columns};
 use super::misplaced::of_scene;
@@ -47,8 +48,8 @@ struct Body {
 
 impl Asked {
     /// Of a scene and the fields to be put into it.
-    fn new(base: String, mut fields: Pairs, list: Option<String>) -> Self {
-        let engines = Engines::taken_from(&mut fields);
+    fn new(site: &Site, base: String, mut fields: Pairs, list: Option<String>) -> Self {
+        let engines = Engines::taken_from(&mut fields, &site.roster);
         Asked {
             base,
             fields,
@@ -57,11 +58,11 @@ impl Asked {
         }
     }
 
-    /// Of the body of a request. `start`: the scene where the request has none.
-    pub fn of_body(request: &Request, start: &str) -> Result<Self, Problem> {
+    /// Of the body of a request; where it has no scene, that of the site.
+    pub fn of_body(request: &Request, site: &Site) -> Result<Self, Problem> {
         if request.is_of("application/x-www-form-urlencoded") {
             let body = String::from_utf8_lossy(&request.body);
-            return Ok(Asked::of_form(Pairs::parse(&body), start));
+            return Ok(Asked::of_form(Pairs::parse(&body), site));
         }
         let body: Body = serde_json::from_slice(&request.body).map_err(|error| Problem {
             line: Some(error.line()),
@@ -77,24 +78,25 @@ impl Asked {
                 value => pairs.push((name, plain(&value))),
             }
         }
-        let base = body.scene.unwrap_or_else(|| start.to_owned());
-        Ok(Asked::new(base, Pairs(pairs), body.engines))
+        let base = body.scene.unwrap_or_else(|| site.start.clone());
+        Ok(Asked::new(site, base, Pairs(pairs), body.engines))
     }
 
     /// Of a form that was sent without scripts.
-    fn of_form(mut fields: Pairs, start: &str) -> Self {
+    fn of_form(mut fields: Pairs, site: &Site) -> Self {
         // browsers end the lines of a form as HTTP does
         let scene = fields.take("scene").map(|text| text.replace("\r\n", "\n"));
         if fields.take("run").as_deref() == Some("file") {
             fields.0.retain(|(name, _)| is_of_engines(name));
         }
-        let base = scene.unwrap_or_else(|| start.to_owned());
-        Asked::new(base, fields, None)
+        let base = scene.unwrap_or_else(|| site.start.clone());
+        Asked::new(site, base, fields, None)
     }
 
-    /// Of a link: `toml`, a packed scene, or `scene`, a name of the catalogue; and fields by name. Where the scene is not to be had,
-    /// that of the server, and why.
-    pub fn of_link(query: &str, start: &str) -> (Self, Option<Problem>) {
+    /// Of a link: `toml`, a packed scene, or `scene`, a name of the catalogue; and fields by name. Where it names none, `start` or the
+    /// scene of the site; where the scene is not to be had, that one, and why.
+    pub fn of_link(query: &str, site: &Site, start: Option<&str>) -> (Self, Option<Problem>) {
+        let start = start.unwrap_or(&site.start);
         let mut fields = Pairs::parse(query);
         let (packed, name) = (fields.take("toml"), fields.take("scene"));
         let base = match (packed, name) {
@@ -105,9 +107,9 @@ impl Asked {
             (None, None) => Ok(start.to_owned()),
         };
         match base {
-            Ok(base) => (Asked::new(base, fields, None), None),
+            Ok(base) => (Asked::new(site, base, fields, None), None),
             Err(problem) => {
-                let asked = Asked::new(start.to_owned(), Pairs::default(), None);
+                let asked = Asked::new(site, start.to_owned(), Pairs::default(), None);
                 (asked, Some(problem))
             }
         }
@@ -167,7 +169,7 @@ impl Asked {
     /// The engines that run `scene`.
     pub fn columns(&self, scene: &Scene) -> Result<Vec<Column>, Problem> {
         match &self.list {
-            Some(list) => columns(list),
+            Some(list) => columns(&self.engines.roster, list),
             None => self.engines.columns(scene),
         }
     }

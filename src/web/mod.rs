@@ -32,6 +32,7 @@ pub use problem::{Problem, body as problems};
 pub use shot::MOST_EVENTS;
 pub use wire::{LARGEST_BODY, LARGEST_HEAD, Request, Response, Unread, read};
 
+use crate::engine::Roster;
 use crate::scene::catalogue;
 use asked::Asked;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -44,6 +45,8 @@ pub struct Site {
     pub port: u16,
     /// The scene that the page opens with, as written.
     pub start: String,
+    /// The engines that it offers.
+    pub roster: Roster,
 }
 
 /// Whose turn it is to run, and for how long.
@@ -107,7 +110,7 @@ pub fn handle(request: &Request, site: &Site, turns: &dyn Turns) -> Response {
     match (*path, scene) {
         ("/", _) => page::opened(&request.query, site),
         (_, Some(name)) => match catalogue::find(name) {
-            Some(entry) => shot::drawn_up(&Asked::of_link("", entry.text).0),
+            Some(entry) => shot::drawn_up(&Asked::of_link("", site, Some(entry.text)).0),
             None => wrong(404, catalogue::unknown(name).to_string()),
         },
         (path, None) => posted(request, path, site, turns),
@@ -124,7 +127,7 @@ fn posted(request: &Request, path: &str, site: &Site, turns: &dyn Turns) -> Resp
         );
         return refused(request, 415, Problem::new(why));
     }
-    let asked = match Asked::of_body(request, &site.start) {
+    let asked = match Asked::of_body(request, site) {
         Ok(asked) => asked,
         Err(problem) => return refused(request, 400, problem),
     };

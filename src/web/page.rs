@@ -34,7 +34,7 @@ static POLICY: LazyLock<String> = LazyLock::new(|| {
 
 /// The page of a link.
 pub fn opened(query: &str, site: &Site) -> Response {
-    let (asked, problem) = Asked::of_link(query, &site.start);
+    let (asked, problem) = Asked::of_link(query, site, None);
     let mut drawn = asked.drawn_up();
     drawn.problems.splice(0..0, problem);
     page(&asked, &drawn, "")

@@ -6,6 +6,7 @@ use super::form::{self, Filled};
 use super::problem::{Problem, body};
 use super::wire::Response;
 use super::{Turn, Turns, start};
+use crate::engine::Roster;
 use crate::report::{html, json, replay};
 use crate::scene::Scene;
 use crate::study::compare::{self, LengthUnit};
@@ -84,7 +85,7 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
         json!(form_of(asked, &drawn)),
         json!(link(&drawn.text)),
         json!(shot.notice),
-        json!(command(&drawn, &shot)),
+        json!(command(&asked.engines.roster, &drawn, &shot)),
         json!(html::fragment(&summary)),
         json!(why),
         json::write(&summary).trim_end(),
@@ -94,7 +95,7 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
 }
 
 /// The command that prints the same numbers of the saved scene.
-fn command(drawn: &Drawn, shot: &Shot) -> String {
+fn command(roster: &Roster, drawn: &Drawn, shot: &Shot) -> String {
     let columns = shot
         .answer
         .outcome
@@ -104,7 +105,7 @@ fn command(drawn: &Drawn, shot: &Shot) -> String {
     format!(
         "carom compare {}.toml{}",
         drawn.name(),
-        form::as_argument(columns)
+        form::as_argument(roster, columns)
     )
 }
 

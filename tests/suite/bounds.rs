@@ -3,7 +3,7 @@
 
 use crate::support::{R, run, scenario};
 use assert_cmd::Command;
-use carom::engine::{ENGINES, Refusal, Setting, prepare};
+use carom::engine::{Refusal, Setting, prepare};
 use carom::physics::Cloth;
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Diagnostics, Kind, Scene, SceneError, catalogue, parse};
@@ -65,7 +65,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
             first,
             scenes: u64::MAX,
             seed: 1,
-            columns: Column::list("exact").unwrap(),
+            columns: Column::list(crate::support::roster(), "exact").unwrap(),
             max_events: 10,
         };
         let outcome = random::study(plan, watch);
@@ -77,7 +77,11 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
             inputs: u64::MAX,
             seed: 1,
         };
-        let outcome = mutation::study(plan, &Examples::new().unwrap(), watch);
+        let outcome = mutation::study(
+            plan,
+            &Examples::new(crate::support::roster()).unwrap(),
+            watch,
+        );
         assert_eq!(outcome.done(), 0);
         let _ = mutation::summary(&outcome);
     }
@@ -88,7 +92,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
         first: u64::MAX - 70,
         scenes: 70,
         seed: 1,
-        columns: Column::list("exact").unwrap(),
+        columns: Column::list(crate::support::roster(), "exact").unwrap(),
         max_events: 10,
     };
     assert_eq!(
@@ -242,7 +246,7 @@ fn samples_that_cannot_be_kept_are_refused_with_their_number() {
         scene,
         samples: usize::MAX,
         seed: 1,
-        columns: Column::list("exact,stepper").unwrap(),
+        columns: Column::list(crate::support::roster(), "exact,stepper").unwrap(),
     };
     let refused = ensemble::study(plan, stopping_at_once(&quiet, &never)).unwrap_err();
     assert_eq!(
@@ -274,13 +278,13 @@ fn a_duration_beyond_the_clock_is_refused_by_every_engine_with_the_same_words() 
         }
     };
     let refusal = |id: &str, duration: f64| {
-        let engine = carom::engine::find(id).unwrap();
+        let engine = crate::support::find(id).unwrap();
         let scene = for_so_long(duration);
-        prepare(engine, &scene, &step(id, duration)).err()
+        prepare(engine.as_ref(), &scene, &step(id, duration)).err()
     };
     // 3 length/s for this long is a way of which 8 roundings are a tenth of R
     let most = 0.1 * R / (8.0 * f64::EPSILON * 3.0);
-    for engine in ENGINES {
+    for engine in crate::support::roster() {
         let id = engine.id();
         for duration in [1.01 * most, 1e16, 1e30] {
             let found = refusal(id, duration);
@@ -292,11 +296,14 @@ fn a_duration_beyond_the_clock_is_refused_by_every_engine_with_the_same_words() 
         assert_eq!(refusal(id, 0.99 * most), None, "{id}");
     }
     // friction ends it within seconds, so that its clock never gets there
-    for engine in ENGINES.iter().filter(|engine| engine.id() == "exact") {
+    for engine in crate::support::roster()
+        .iter()
+        .filter(|engine| engine.id() == "exact")
+    {
         let mut scene = for_so_long(1e30);
         scene.effects.cloth = Some(Cloth::Translational { mu: 0.2 });
         scene.gravity = 9.81;
-        assert!(prepare(*engine, &scene, &Setting::default()).is_ok());
+        assert!(prepare(engine.as_ref(), &scene, &Setting::default()).is_ok());
     }
 }
 
@@ -305,8 +312,8 @@ fn no_scene_that_comes_with_the_program_is_too_long_for_its_clock() {
     let mut prepared = 0;
     for entry in catalogue::all() {
         let scene = entry.scene().unwrap();
-        for engine in ENGINES {
-            let refused = prepare(*engine, &scene, &Setting::default()).err();
+        for engine in crate::support::roster() {
+            let refused = prepare(engine.as_ref(), &scene, &Setting::default()).err();
             let too_long = matches!(refused, Some(Refusal::TooLong { .. }));
             assert!(!too_long, "{} in {}: {refused:?}", scene.name, engine.id());
             prepared += usize::from(refused.is_none());
@@ -319,11 +326,11 @@ fn no_scene_that_comes_with_the_program_is_too_long_for_its_clock() {
 fn a_step_that_takes_too_many_is_refused_by_every_stepping_engine_with_the_same_words() {
     let scene = for_so_long(1e4);
     let mut refused = 0;
-    for engine in ENGINES {
+    for engine in crate::support::roster() {
         let setting = Setting::default().with("dt", "1e-30");
-        match prepare(*engine, &scene, &setting).err() {
-            Some(Refusal::Setting { message }) if message.contains("unknown setting") => {}
-            Some(Refusal::Setting { message }) => {
+        match prepare(engine.as_ref(), &scene, &setting).err() {
+            Some(Refusal::Setting { message, .. }) if message.contains("unknown setting") => {}
+            Some(Refusal::Setting { message, .. }) => {
                 let words = "the 10000 s of scene long would take 1.0e34 steps, more than 1e";
                 assert!(message.contains(words), "{}: {message}", engine.id());
                 refused += 1;

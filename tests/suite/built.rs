@@ -4,7 +4,7 @@
 #[allow(dead_code, reason = "the build script calls the rest")]
 mod locked;
 
-use carom::engine::{self, ENGINES, Limits, Setting};
+use carom::engine::{self, Limits, Setting};
 use carom::scene::catalogue;
 use carom::trace::Record;
 use std::fs;
@@ -16,7 +16,7 @@ fn version_and_source_are_those_of_the_lock_file() {
     let packages = locked::packages(include_str!("../../Cargo.lock"));
     let scene = catalogue::scene("slide").unwrap();
     let mut crates = 0;
-    for engine in ENGINES {
+    for engine in crate::support::roster() {
         for built in engine.built() {
             let mut own = packages.iter().filter(|package| package.name == built.name);
             let (package, others) = (own.next().unwrap(), own.count());
@@ -29,7 +29,7 @@ fn version_and_source_are_those_of_the_lock_file() {
             assert_eq!(built.word(), word, "{}", built.name);
             let words = format!("{} {} ({})", built.name, package.version, built.source);
             assert!(engine.version().starts_with(&words), "{}", engine.version());
-            let run = engine::prepare(*engine, &scene, &Setting::default()).unwrap();
+            let run = engine::prepare(engine.as_ref(), &scene, &Setting::default()).unwrap();
             let trace = run.simulate(Record::Final, &Limits::NONE);
             assert_eq!(
                 trace.provenance.version,

@@ -299,7 +299,7 @@ fn report_writes_a_site_that_needs_nothing_else() {
         "slide",
         "head-on",
         "pages/slide.html",
-        &carom::engine::find("rapier-f64").unwrap().version(),
+        &crate::support::find("rapier-f64").unwrap().version(),
     ] {
         assert!(index.contains(wanted), "index.html lacks {wanted}");
     }
@@ -320,7 +320,7 @@ fn report_writes_a_site_that_needs_nothing_else() {
 #[test]
 fn lists_derive_from_the_registries() {
     let engines = text(&carom(&["engines"]).stdout);
-    for engine in carom::engine::ENGINES {
+    for engine in crate::support::roster() {
         assert!(engines.contains(engine.id()));
         for knob in engine.knobs() {
             assert!(engines.contains(&knob.key), "{}", knob.key);

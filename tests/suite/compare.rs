@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use carom::compare::{Comparison, attribute, deepest_overlap, of_pair, of_trace, timing};
 use carom::engine::exact::Precision;
 use carom::engine::exact::horizon::{BAND, horizon};
-use carom::engine::{Limits, Setting, find};
+use carom::engine::{Limits, Setting};
 use carom::math::Vec3;
 use carom::scene::{Scene, catalogue};
 use carom::study::compare::{Cause, Outcome, default_columns, plan, study};
@@ -21,7 +21,7 @@ fn exact(scene: &Scene) -> Trace {
 
 fn compared(scene: &Scene, columns: &[(&str, &str)]) -> Outcome {
     let column = |&(engine, setting): &(&str, &str)| Column {
-        engine: find(engine).unwrap(),
+        engine: crate::support::find(engine).unwrap().clone(),
         setting: Setting::parse(setting.split_whitespace()).unwrap(),
     };
     let columns: Vec<Column> = columns.iter().map(column).collect();
@@ -29,7 +29,13 @@ fn compared(scene: &Scene, columns: &[(&str, &str)]) -> Outcome {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    study(scene, None, &plan(&columns), Timing::None, watch)
+    study(
+        scene,
+        None,
+        &plan(crate::support::roster(), &columns),
+        Timing::None,
+        watch,
+    )
 }
 
 #[test]
@@ -214,7 +220,10 @@ fn richer_scene_measures_what_the_poorer_one_leaves_out() {
             .build()
     };
     let (scene, richer) = (shot(0.2), shot(0.25));
-    let columns = plan(&[Column::of(find("stepper").unwrap())]);
+    let columns = plan(
+        crate::support::roster(),
+        &[Column::of(crate::support::find("stepper").unwrap())],
+    );
     let watch = Watch {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
@@ -237,9 +246,12 @@ fn richer_scene_measures_what_the_poorer_one_leaves_out() {
 
 #[test]
 fn default_columns_cover_every_engine_and_exact_comes_first() {
-    let columns = plan(&default_columns());
+    let columns = plan(
+        crate::support::roster(),
+        &default_columns(crate::support::roster()),
+    );
     assert_eq!(columns[0].engine.id(), "exact");
-    for engine in carom::engine::ENGINES {
+    for engine in crate::support::roster() {
         assert!(
             columns
                 .iter()

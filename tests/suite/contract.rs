@@ -6,9 +6,9 @@
 //! The suite walks the list of engines and runs each on random scenes; an invariant that some engine promises and that was
 //! never checked fails the suite, so a crashed or empty run cannot pass.
 
-use crate::support::{R, run, scenario};
+use crate::support::{R, roster, scenario};
 use carom::compare::deepest_overlap;
-use carom::engine::{ENGINES, Refusal, Setting, find, prepare};
+use carom::engine::{Engine, Limits, Refusal, Roster, Setting, prepare};
 use carom::law::{self, closed_forms};
 use carom::math::Vec3;
 use carom::math::random::Draws;
@@ -190,20 +190,20 @@ fn random_effects(index: u64, draw: &mut Draws) -> Effects {
 
 /// A trace that is held to a promise of its engine.
 pub struct Case<'a> {
-    pub engine: &'a str,
-    pub settings: &'a [&'a str],
+    pub engine: &'a dyn Engine,
+    pub setting: &'a Setting,
     pub scene: &'a Scene,
     pub trace: &'a Trace,
 }
 
 impl Case<'_> {
     fn rerun(&self, scene: &Scene) -> Trace {
-        run(self.engine, self.settings, scene, Record::Every(0.02))
+        run(self.engine, self.setting, scene)
     }
 
     /// Rounding of the engine's scalar.
     fn ulp(&self) -> f64 {
-        if self.engine.ends_with("f32") {
+        if self.engine.id().ends_with("f32") {
             f64::from(f32::EPSILON)
         } else {
             f64::EPSILON
@@ -573,20 +573,34 @@ fn same(a: &Trace, b: &Trace) -> Result<(), String> {
     }
 }
 
-#[test]
-fn every_engine_keeps_its_promises_in_random_scenes() {
-    let mut checked: BTreeMap<(&str, &str), u64> = BTreeMap::new();
-    let mut held: BTreeMap<(&str, &str), u64> = BTreeMap::new();
-    let mut promised: Vec<(&str, &str)> = Vec::new();
+fn run(engine: &dyn Engine, setting: &Setting, scene: &Scene) -> Trace {
+    let run = prepare(engine, scene, setting)
+        .unwrap_or_else(|refusal| panic!("{} on {}: {refusal}", engine.id(), scene.name));
+    run.simulate(Record::Every(0.02), &Limits::NONE)
+}
+
+/// How often each law was seen and each invariant held, by engine.
+#[derive(Default)]
+struct Counts {
+    checked: BTreeMap<(String, &'static str), u64>,
+    held: BTreeMap<(String, &'static str), u64>,
+}
+
+/// Holds every engine of a roster to the contract, by its defaults and in `variants`.
+pub fn hold_contract(roster: &Roster, variants: &[(&str, &[&str])]) {
+    hold(roster, variants);
+}
+
+fn hold(roster: &Roster, variants: &[(&str, &[&str])]) -> Counts {
+    let mut counts = Counts::default();
+    let mut promised: Vec<(String, &str)> = Vec::new();
     let mut broken = Vec::new();
-    let defaults: Vec<(&str, &[&str])> = ENGINES
-        .iter()
-        .map(|engine| (engine.id(), &[] as &[&str]))
-        .collect();
-    for (engine, settings) in defaults.into_iter().chain(VARIANTS) {
+    let defaults = roster.iter().map(|engine| (engine.id(), &[] as &[&str]));
+    for (id, settings) in defaults.chain(variants.iter().copied()) {
+        let engine = roster.find(id).unwrap().as_ref();
         let setting = Setting::parse(settings.iter().copied()).unwrap();
         // a run of rapier costs a thousand times one of exact
-        let scenes = if engine.starts_with("rapier") {
+        let scenes = if id.starts_with("rapier") {
             SCENES / 10
         } else {
             SCENES
@@ -597,36 +611,39 @@ fn every_engine_keeps_its_promises_in_random_scenes() {
             .chain([SCENE_THAT_COLLAPSES])
             .map(random_scene_with_effects);
         for scene in plain.chain(with_effects) {
-            let missing = find(engine).unwrap().missing(&scene);
+            let missing = engine.missing(&scene);
             if !missing.is_empty() {
                 assert!(
-                    missing.iter().all(|effect| !REPORTS.contains(effect)),
-                    "{engine} lacks {missing:?}"
+                    missing
+                        .iter()
+                        .all(|effect| !REPORTS.contains(&effect.as_ref())),
+                    "{id} lacks {missing:?}"
                 );
                 continue;
             }
-            match prepare(find(engine).unwrap(), &scene, &setting) {
+            match prepare(engine, &scene, &setting) {
                 Ok(_) => {}
                 // the report's exchange is one of equal masses
                 Err(Refusal::Setting { .. }) if !scene.equal_masses() => continue,
-                Err(refusal) => panic!("{engine} {settings:?} on {}: {refusal}", scene.name),
+                Err(refusal) => panic!("{id} {settings:?} on {}: {refusal}", scene.name),
             }
-            let trace = run(engine, settings, &scene, Record::Every(0.02));
+            let trace = run(engine, &setting, &scene);
             for effect in scene.effects.named() {
-                *held.entry((engine, effect)).or_default() += 1;
+                *counts.held.entry((id.to_owned(), effect)).or_default() += 1;
             }
             let case = Case {
                 engine,
-                settings,
+                setting: &setting,
                 scene: &scene,
                 trace: &trace,
             };
-            for invariant in find(engine).unwrap().promises(&scene, &setting) {
-                promised.push((engine, invariant.id()));
+            for invariant in engine.promises(&scene, &setting) {
+                let key = (id.to_owned(), invariant.id());
+                promised.push(key.clone());
                 match case.check(invariant) {
-                    Ok(()) => *checked.entry((engine, invariant.id())).or_default() += 1,
+                    Ok(()) => *counts.checked.entry(key).or_default() += 1,
                     Err(why) => broken.push(format!(
-                        "{engine} {settings:?} in scene {}: {}: {why}",
+                        "{id} {settings:?} in scene {}: {}: {why}",
                         scene.name,
                         invariant.id()
                     )),
@@ -642,33 +659,33 @@ fn every_engine_keeps_its_promises_in_random_scenes() {
     );
     for key in promised {
         assert!(
-            checked.contains_key(&key),
+            counts.checked.contains_key(&key),
             "{key:?} was promised and never held"
         );
     }
+    for engine in roster {
+        let of = |id| (engine.id().to_owned(), id);
+        for effect in REPORTS {
+            assert!(counts.held[&of(effect)] >= 2, "{} {effect}", engine.id());
+        }
+        for invariant in [Invariant::Finite, Invariant::Momentum, Invariant::Rerun] {
+            let times = counts.checked[&of(invariant.id())];
+            assert!(times >= 4, "{} {}", engine.id(), invariant.id());
+        }
+    }
+    counts
+}
+
+#[test]
+fn every_engine_keeps_its_promises_in_random_scenes() {
+    let counts = hold(roster(), &VARIANTS);
     // two engines simulate everything that a scene can name, and were seen to
     for (engine, effect) in ["exact", "stepper"]
         .iter()
         .flat_map(|e| EFFECTS.iter().map(|f| (*e, f.id)))
     {
-        let scenes = held.get(&(engine, effect)).copied().unwrap_or(0);
+        let scenes = counts.held.get(&(engine.to_owned(), effect)).copied();
+        let scenes = scenes.unwrap_or(0);
         assert!(scenes >= 4, "{engine} {effect}: held in {scenes} scenes");
-    }
-    for engine in ENGINES {
-        for effect in REPORTS {
-            assert!(
-                held[&(engine.id(), effect)] >= 2,
-                "{} {effect}",
-                engine.id()
-            );
-        }
-        for invariant in [Invariant::Finite, Invariant::Momentum, Invariant::Rerun] {
-            assert!(
-                checked[&(engine.id(), invariant.id())] >= 4,
-                "{} {}",
-                engine.id(),
-                invariant.id()
-            );
-        }
     }
 }

@@ -1,8 +1,8 @@
 //! The contract is one that can be broken: each promise on a trace with one thing planted in it.
 
 use crate::contract::{Case, HALF};
-use crate::support::{R, run, scenario};
-use carom::engine::{Setting, find};
+use crate::support::{R, roster, run, scenario};
+use carom::engine::Setting;
 use carom::law;
 use carom::math::Vec3;
 use carom::physics::State;
@@ -82,16 +82,17 @@ fn each_promise_is_seen_to_be_broken_whatever_the_engine_says_of_itself() {
     };
     let stops = table(shot("stops").cloth(0.2).cushions(1.0, 1.0).build());
     let lossless = table(shot("lossless").duration(1.5).cushions(1.0, 1.0).build());
-    let engine = "exact";
+    let engine = roster().reference().unwrap();
+    let setting = Setting::default();
     for (invariant, plant) in plants {
         let reverses = invariant == Invariant::TimeReversal;
         let scene = if reverses { &lossless } else { &stops };
-        let promised = find(engine).unwrap().promises(scene, &Setting::default());
+        let promised = engine.promises(scene, &setting);
         assert!(promised.contains(&invariant), "{}", invariant.id());
-        let trace = run(engine, &[], scene, Record::Every(0.02));
+        let trace = run(engine.id(), &[], scene, Record::Every(0.02));
         let case = |trace| Case {
-            engine,
-            settings: &[],
+            engine: engine.as_ref(),
+            setting: &setting,
             scene,
             trace,
         };

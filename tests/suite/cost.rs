@@ -2,7 +2,7 @@
 
 use crate::support::scenario;
 use assert_cmd::Command;
-use carom::engine::{Setting, find};
+use carom::engine::Setting;
 use carom::finding::{Block, Cell, Document, Table};
 use carom::scene::{Scene, catalogue};
 use carom::study::cost::{
@@ -23,9 +23,15 @@ fn watch() -> Watch<'static> {
 }
 
 fn of(engines: &[&str], scene: &Scene) -> Outcome {
-    let column = |id: &&str| Column::of(find(id).unwrap());
+    let column = |id: &&str| Column::of(crate::support::find(id).unwrap());
     let named: Vec<Column> = engines.iter().map(column).collect();
-    study(scene, &named, Grid::Small, watch())
+    study(
+        crate::support::roster(),
+        scene,
+        &named,
+        Grid::Small,
+        watch(),
+    )
 }
 
 fn family<'a>(outcome: &'a Outcome, label: &str) -> &'a Measured {
@@ -219,7 +225,7 @@ fn runs_without_an_answer_stay_in_the_picture() {
 fn what_is_timed_does_not_sleep() {
     let stock = Setting::default().with("preset", "stock");
     for id in ["rapier-f64", "rapier-f32"] {
-        let awake = find(id).unwrap().awake(&stock);
+        let awake = crate::support::find(id).unwrap().awake(&stock);
         assert_eq!(
             awake.values.get("can_sleep").map(String::as_str),
             Some("false"),
@@ -229,7 +235,7 @@ fn what_is_timed_does_not_sleep() {
     for id in ["exact", "stepper", "rapier-f64"] {
         let default = Setting::default();
         assert_eq!(
-            find(id).unwrap().awake(&default),
+            crate::support::find(id).unwrap().awake(&default),
             default,
             "{id} is awake already"
         );
@@ -309,8 +315,14 @@ fn a_study_that_is_stopped_concludes_from_what_it_has() {
         progress: &progress,
         cancelled: &stop,
     };
-    let named = [Column::of(find("stepper").unwrap())];
-    let outcome = study(&oblique_hit(), &named, Grid::Small, watch);
+    let named = [Column::of(crate::support::find("stepper").unwrap())];
+    let outcome = study(
+        crate::support::roster(),
+        &oblique_hit(),
+        &named,
+        Grid::Small,
+        watch,
+    );
     assert!(outcome.stopped);
     let points = || outcome.families.iter().flat_map(|m| &m.points);
     let timed = points().filter(|point| point.timed.is_some()).count();
@@ -323,12 +335,18 @@ fn a_study_that_is_stopped_concludes_from_what_it_has() {
 fn a_given_setting_holds_at_every_level() {
     let setting = Setting::default().with("dt", "2e-3");
     let named = [Column {
-        engine: find("rapier-f64").unwrap(),
+        engine: crate::support::find("rapier-f64").unwrap().clone(),
         setting,
     }];
     let mut scene = oblique_hit();
     scene.duration = 0.3;
-    let outcome = study(&scene, &named, Grid::Small, watch());
+    let outcome = study(
+        crate::support::roster(),
+        &scene,
+        &named,
+        Grid::Small,
+        watch(),
+    );
     let points: Vec<_> = outcome.families.iter().flat_map(|m| &m.points).collect();
     assert!(points.len() > 5);
     for point in points {

@@ -1,7 +1,7 @@
 //! `carom effects`: which effects a shot needs, what is left when they are left out, the ladder, and the curves of the laws.
 
 use assert_cmd::Command;
-use carom::engine::{Setting, find, prepare};
+use carom::engine::{Setting, prepare};
 use carom::finding::{Block, Cell, Document, Style, Table};
 use carom::physics::{Cloth, Contact, Effects, Friction};
 use carom::scene::{Scene, catalogue};
@@ -35,7 +35,7 @@ fn watch() -> Watch<'static> {
 }
 
 fn columns(engines: &[&str]) -> Vec<Column> {
-    let column = |id: &&str| Column::of(find(id).unwrap());
+    let column = |id: &&str| Column::of(crate::support::find(id).unwrap());
     engines.iter().map(column).collect()
 }
 
@@ -95,7 +95,7 @@ fn leaving_out_nothing_is_the_scene_and_leaving_out_all_has_nothing_left() {
 
 #[test]
 fn every_combination_is_legal_and_runs_in_the_exact_engine() {
-    let exact = find("exact").unwrap();
+    let exact = crate::support::find("exact").unwrap();
     let mut rows = 0;
     for entry in catalogue::all() {
         let plan = Plan::new(&entry.scene().unwrap()).unwrap();
@@ -104,7 +104,7 @@ fn every_combination_is_legal_and_runs_in_the_exact_engine() {
             let slides_only = matches!(effects.cloth, Some(Cloth::Translational { .. }));
             let turns = effects.friction.is_some() || effects.cushion.is_some_and(|c| c.rotates());
             assert!(!(slides_only && turns), "{}: {effects:?}", entry.name);
-            let prepared = prepare(exact, row, &Setting::default()).map(|_| ());
+            let prepared = prepare(exact.as_ref(), row, &Setting::default()).map(|_| ());
             assert_eq!(prepared, Ok(()), "{}: {effects:?}", entry.name);
             rows += 1;
         }
@@ -372,7 +372,7 @@ fn a_scene_without_an_end_is_said_to_have_none() {
 fn refusals_are_counted() {
     let mut columns = columns(&["exact"]);
     columns.push(Column {
-        engine: find("stepper").unwrap(),
+        engine: crate::support::find("stepper").unwrap().clone(),
         setting: Setting::default().with("dt", 0.0),
     });
     let outcome = study(&scene("draw"), &columns, THRESHOLD, watch()).unwrap();
@@ -631,9 +631,9 @@ fn a_comparison_of_a_rung_shows_what_the_next_one_adds() {
         carom::study::Timing::None,
         watch(),
     );
-    let exact = find("exact").unwrap();
+    let exact = crate::support::find("exact").unwrap();
     let run = |scene: &Scene| {
-        let run = prepare(exact, scene, &Setting::default()).unwrap();
+        let run = prepare(exact.as_ref(), scene, &Setting::default()).unwrap();
         run.simulate(carom::trace::Record::Events, &carom::engine::Limits::NONE)
     };
     let expected = carom::compare::largest_distance_at_end(&rung, &run(&rung), &run(&next));

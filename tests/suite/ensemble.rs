@@ -2,7 +2,7 @@
 
 use crate::support::{R, report_break};
 use assert_cmd::Command;
-use carom::engine::{Setting, find};
+use carom::engine::Setting;
 use carom::finding::{Block, Document};
 use carom::math::random::Draws;
 use carom::math::statistics::{Distribution, holm, kolmogorov_smirnov};
@@ -29,7 +29,7 @@ fn watch() -> Watch<'static> {
 
 fn columns(engines: &[(&str, &str)]) -> Vec<Column> {
     let column = |&(engine, setting): &(&str, &str)| Column {
-        engine: find(engine).unwrap(),
+        engine: crate::support::find(engine).unwrap().clone(),
         setting: Setting::parse(setting.split_whitespace()).unwrap(),
     };
     engines.iter().map(column).collect()
@@ -440,7 +440,10 @@ fn the_page_has_every_distribution_and_its_command_prints_the_same() {
 fn a_comparison_shows_the_ensemble_where_the_scene_asks_for_one_and_nowhere_else() {
     let blocks = |name: &str| -> (Document, usize) {
         let scene = catalogue::scene(name).unwrap();
-        let columns = compare::plan(&columns(&[("stepper", "dt=1e-2")]));
+        let columns = compare::plan(
+            crate::support::roster(),
+            &columns(&[("stepper", "dt=1e-2")]),
+        );
         let outcome = compare::study(&scene, None, &columns, Timing::None, watch());
         let mut document = compare::summary(&outcome, compare::LengthUnit::Radius);
         let (blocks, _) = surroundings(&outcome, watch());

@@ -15,8 +15,8 @@ fn exact(scene: &Scene) -> Trace {
 }
 
 fn with_limits(scene: &Scene, limits: &Limits<'_>) -> Trace {
-    let engine = engine::find(EXACT).unwrap();
-    let run = engine::prepare(engine, scene, &Setting::default()).unwrap();
+    let engine = crate::support::find(EXACT).unwrap();
+    let run = engine::prepare(engine.as_ref(), scene, &Setting::default()).unwrap();
     run.simulate(Record::Events, limits)
 }
 
@@ -520,7 +520,7 @@ fn numbers_that_cannot_be_computed_with_end_the_run_before_it_starts() {
         let mut scene = scenario("huge").cloth(MU).resting("a", [0.0, 0.0]).build();
         scene.balls[0].state.velocity.x = speed;
         // the audit refuses NaN and infinity, so ask the engine itself
-        let engine = engine::find(EXACT).unwrap();
+        let engine = crate::support::find(EXACT).unwrap();
         let run = engine.prepare(&scene, &Setting::default()).unwrap();
         let trace = run.simulate(Record::Events, &Limits::NONE);
         let Ending::NotFinite(spot) = &trace.ending else {
@@ -549,8 +549,8 @@ fn absent_effects_are_not_simulated() {
 fn unknown_settings_are_refused() {
     let scene = scenario("still").resting("a", [0.0, 0.0]).build();
     let setting = Setting::parse(["precision=f128"]).unwrap();
-    let engine = engine::find(EXACT).unwrap();
-    let refusal = engine::prepare(engine, &scene, &setting)
+    let engine = crate::support::find(EXACT).unwrap();
+    let refusal = engine::prepare(engine.as_ref(), &scene, &setting)
         .err()
         .map(|r| r.to_string());
     assert!(

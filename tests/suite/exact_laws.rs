@@ -206,7 +206,7 @@ fn impacts_keep_momentum_and_energy_and_nothing_ever_gains() {
             "{:?}",
             trace.extrema.energy_gained
         );
-        let promised = engine::find("exact")
+        let promised = crate::support::find("exact")
             .unwrap()
             .promises(&scene, &Setting::default());
         if promised.contains(&Invariant::EverythingStops) {
@@ -377,9 +377,9 @@ fn no_collision_is_missed_in_traces_swept_by_the_other_finder() {
 #[test]
 fn what_is_inside_the_engine_is_the_scene() {
     for scene in scenes(MU, 2).into_iter().chain(scenes(0.0, 2)) {
-        let engine = engine::find("exact").unwrap();
+        let engine = crate::support::find("exact").unwrap();
         // the audit of `prepare` reads everything back
-        let run = engine::prepare(engine, &scene, &Setting::default())
+        let run = engine::prepare(engine.as_ref(), &scene, &Setting::default())
             .unwrap_or_else(|refusal| panic!("{}: {refusal}", scene.name));
         let sheet = run.sheet();
         assert!(

@@ -224,14 +224,14 @@ fn touching_balls_are_found_through_cells() {
 /// Work and memory of a whole run up to a number of events: most bytes at one time, and counters.
 fn consumption(balls: usize, events: u64) -> (f64, BTreeMap<String, u64>) {
     let scene = Discs::new(balls, 0.3, 41, 1e3).scene();
-    let engine = engine::find("exact").unwrap();
+    let engine = crate::support::find("exact").unwrap();
     let limits = Limits {
         max_events: events,
         ..Limits::NONE
     };
     let mut counters = BTreeMap::new();
     let used = allocation_counter::measure(|| {
-        let run = engine::prepare(engine, &scene, &Setting::default()).unwrap();
+        let run = engine::prepare(engine.as_ref(), &scene, &Setting::default()).unwrap();
         counters = run.simulate(Record::Final, &limits).counters;
     });
     (used.bytes_max as f64, counters)

@@ -126,7 +126,7 @@ fn a_precision_without_a_witness_and_too_many_balls_are_refused() {
         (&crowd, Precision::F64),
     ] {
         let refusal = study(scene, precision, &NEVER).unwrap_err();
-        let Refusal::Setting { message } = refusal else {
+        let Refusal::Setting { message, .. } = refusal else {
             panic!("{refusal:?}");
         };
         assert!(message.contains("at most 1000 balls"), "{message}");

@@ -4,8 +4,8 @@
 //! refused, or does that; an engine that is silent and runs the scene without the effect is caught by what it does.
 
 use crate::mutants::engines::{Fault, Wrong};
-use crate::support::{MU, R, scenario};
-use carom::engine::{ENGINES, Engine, Limits, Refusal, Setting, prepare};
+use crate::support::{MU, R, roster, scenario};
+use carom::engine::{Engine, Limits, Refusal, Setting, prepare};
 use carom::math::Vec3;
 use carom::physics::{Cloth, Contact, Cushion, EFFECTS, Friction, Pockets, friction};
 use carom::scene::Scene;
@@ -176,7 +176,7 @@ fn shot(id: &str) -> Shot {
 /// The settings in which an engine is compared. The report's rule lets a pair exchange as long as it overlaps, which no law says: what an
 /// engine does in one of them it can do.
 fn settings(id: &str) -> Vec<Setting> {
-    let own = presets()
+    let own = presets(roster())
         .into_iter()
         .filter(|preset| preset.engine.id() == id);
     own.map(|preset| preset.setting).collect()
@@ -216,7 +216,7 @@ fn an_engine_does_what_every_effect_says_or_names_it() {
     for effect in EFFECTS {
         let shot = shot(effect.id);
         assert!(shot.scene.effects.named().contains(&effect.id));
-        for engine in ENGINES {
+        for engine in roster() {
             let missing = engine.missing(&shot.scene);
             assert!(
                 missing.iter().all(|id| *id == effect.id),
@@ -224,7 +224,7 @@ fn an_engine_does_what_every_effect_says_or_names_it() {
                 engine.id(),
                 effect.id
             );
-            if let Some((off, got)) = nearest(*engine, &shot) {
+            if let Some((off, got)) = nearest(engine.as_ref(), &shot) {
                 assert!(
                     off <= shot.tolerance,
                     "{} {}: {got} instead of {}, allowed {}",
@@ -249,13 +249,13 @@ fn an_engine_that_ignores_an_effect_and_does_not_say_so_is_caught() {
     let mut caught = 0;
     for effect in EFFECTS {
         let shot = shot(effect.id);
-        for engine in ENGINES {
+        for engine in roster() {
             if !engine.missing(&shot.scene).is_empty() {
                 continue;
             }
             // what it holds, as the audit reads it, is what the scene says
             let silent = Wrong::engine(engine.id(), Fault::Scene(shot.without));
-            let (off, got) = nearest(silent, &shot).unwrap();
+            let (off, got) = nearest(silent.as_ref(), &shot).unwrap();
             assert!(
                 off > 1.2 * shot.tolerance,
                 "{} without {}: {got}, and {} is right",

@@ -1,7 +1,7 @@
 //! The law of perturbation: what a sample may be, held against the scene it comes from.
 
 use crate::support::{MU, R, report_break, scenario};
-use carom::engine::{ENGINES, Setting, prepare};
+use carom::engine::{Setting, prepare};
 use carom::scene::perturb::{Law, PerturbError, Perturbation};
 use carom::scene::{Scene, Shot, Simultaneous, catalogue};
 
@@ -235,9 +235,9 @@ fn balls_on_a_cushion_are_moved_off_it_and_stay_on_the_table() {
         // the narrow gap is opened with the pair, so that it keeps its part
         let (d, e) = (position("d"), position("e"));
         assert!((e - d).norm() - 2.0 * R >= 0.09 * size, "narrowed");
-        for engine in ENGINES {
+        for engine in crate::support::roster() {
             assert!(
-                prepare(*engine, &sample, &Setting::default()).is_ok(),
+                prepare(engine.as_ref(), &sample, &Setting::default()).is_ok(),
                 "{} refuses sample {index}",
                 engine.id()
             );

@@ -22,7 +22,11 @@ fn a_hundred_thousand_damaged_inputs_are_read_or_refused_as_they_should_be() {
         inputs: INPUTS,
         seed: 20_261_124,
     };
-    let outcome = study(plan, &Examples::new().unwrap(), watch);
+    let outcome = study(
+        plan,
+        &Examples::new(crate::support::roster()).unwrap(),
+        watch,
+    );
     assert_eq!(outcome.failures, [], "{} faults", outcome.faults);
     assert_eq!(outcome.done(), INPUTS);
     // both answers must be met, or only one of them is tested
@@ -55,6 +59,9 @@ fn readers_that_are_given_nothing_refuse_it_with_a_place_and_words() {
     assert_eq!(scene_file(b""), Ok(false));
     assert_eq!(trace_files(&Files::default()), Ok(false));
     let scene = catalogue::scene("head-on").unwrap();
-    assert_eq!(engine_list("", &scene), Ok(false));
-    assert_eq!(engine_list("exact", &scene), Ok(true));
+    assert_eq!(engine_list(crate::support::roster(), "", &scene), Ok(false));
+    assert_eq!(
+        engine_list(crate::support::roster(), "exact", &scene),
+        Ok(true)
+    );
 }

@@ -32,7 +32,11 @@ fn exact_and_the_stepper_hold_in_ten_thousand_scenes_that_look_for_trouble() {
         first: 0,
         scenes: SCENES,
         seed: SEED,
-        columns: Column::list("exact,stepper:contact=approaching-only").unwrap(),
+        columns: Column::list(
+            crate::support::roster(),
+            "exact,stepper:contact=approaching-only",
+        )
+        .unwrap(),
         max_events: MAX_EVENTS,
     };
     let outcome = study(plan, watch(&never));
@@ -198,7 +202,7 @@ fn the_try_of_a_scene_sets_what_the_command_line_leaves_open() {
         ("exact", "exact partners=all"),
         ("rapier-f64", "rapier-f64"),
     ] {
-        let column = &Column::list(list).unwrap()[0];
+        let column = &Column::list(crate::support::roster(), list).unwrap()[0];
         assert_eq!(column.as_tried(&scene).label(), label);
     }
 }

@@ -1,7 +1,7 @@
 //! The lists from which everything else derives: unique names, units, and no entry that nothing uses.
 
 use carom::compare::METRICS;
-use carom::engine::{ENGINES, Role, Setting, find, prepare};
+use carom::engine::{Role, Setting, prepare};
 use carom::physics::EFFECTS;
 use carom::scene::{catalogue, is_kebab_case};
 use carom::study::stability::presets;
@@ -18,7 +18,10 @@ fn unique<'a>(what: &str, names: impl IntoIterator<Item = &'a str>) -> usize {
 
 #[test]
 fn names_are_unique_and_kebab_case() {
-    unique("engine", ENGINES.iter().map(|engine| engine.id()));
+    unique(
+        "engine",
+        crate::support::roster().iter().map(|engine| engine.id()),
+    );
     unique("metric", METRICS.iter().map(|metric| metric.id));
     unique("effect", EFFECTS.iter().map(|effect| effect.id));
     unique("role", Role::ALL.iter().map(|role| role.title()));
@@ -26,7 +29,7 @@ fn names_are_unique_and_kebab_case() {
         "format",
         carom::report::FORMATS.iter().map(|format| format.id),
     );
-    for name in ENGINES
+    for name in crate::support::roster()
         .iter()
         .map(|e| e.id())
         .chain(METRICS.iter().map(|m| m.id))
@@ -51,14 +54,14 @@ fn every_scene_is_prepared_by_two_engines_and_passes_their_audit() {
     for entry in catalogue::all() {
         let scene = entry.scene().unwrap();
         // the stepper as the report wrote it knows balls of one mass only
-        let columns = presets();
+        let columns = presets(crate::support::roster());
         let able: BTreeSet<&str> = columns
             .iter()
-            .filter(|column| prepare(column.engine, &scene, &column.setting).is_ok())
+            .filter(|column| prepare(column.engine.as_ref(), &scene, &column.setting).is_ok())
             .map(|column| column.engine.id())
             .collect();
         let prepared = columns.iter().filter(|column| {
-            let run = prepare(column.engine, &scene, &column.setting);
+            let run = prepare(column.engine.as_ref(), &scene, &column.setting);
             run.is_ok_and(|run| {
                 !run.sheet().is_empty() && run.inside().balls.len() == scene.balls.len()
             })
@@ -74,19 +77,19 @@ fn every_scene_is_prepared_by_two_engines_and_passes_their_audit() {
 #[test]
 fn every_ladder_and_remedy_is_a_setting_that_its_engine_accepts() {
     let scene = catalogue::scene("slide").unwrap();
-    for engine in ENGINES {
+    for engine in crate::support::roster() {
         let ladders = engine.ladders();
-        unique("ladder", ladders.iter().map(|(name, _)| *name));
+        unique("ladder", ladders.iter().map(|(name, _)| name.as_ref()));
         for (name, settings) in ladders {
             assert!(!settings.is_empty(), "{} {name} is empty", engine.id());
             for setting in &settings {
-                let prepared = prepare(*engine, &scene, setting).map(|_| ());
+                let prepared = prepare(engine.as_ref(), &scene, setting).map(|_| ());
                 assert_eq!(prepared, Ok(()), "{} {name} {setting}", engine.id());
             }
         }
-        for (what, setting) in engine.remedies(&scene, &Setting::default()) {
+        for (what, setting) in engine.ablations(&scene, &Setting::default()) {
             assert_eq!(
-                prepare(*engine, &scene, &setting).map(|_| ()),
+                prepare(engine.as_ref(), &scene, &setting).map(|_| ()),
                 Ok(()),
                 "{} {what}",
                 engine.id()
@@ -98,7 +101,7 @@ fn every_ladder_and_remedy_is_a_setting_that_its_engine_accepts() {
                 engine.id()
             );
         }
-        assert!(find(engine.id()).is_some());
+        assert!(crate::support::find(engine.id()).is_some());
         assert!(!engine.about().method.is_empty() && !engine.about().shares.is_empty());
     }
 }

@@ -174,7 +174,7 @@ fn launch_as_written_makes_the_shot_depend_on_the_step() {
 
 #[test]
 fn what_it_cannot_do_is_refused_with_the_remedy() {
-    let stepper = engine::find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     let unequal = scenario("unequal")
         .moving("a", [0.0, 0.0], [1.0, 0.0])
         .resting("b", [2.0, 0.0])
@@ -182,8 +182,8 @@ fn what_it_cannot_do_is_refused_with_the_remedy() {
         .build();
     let refusal = |scene: &carom::scene::Scene, pairs: &[&str]| {
         let setting = Setting::parse(pairs.iter().copied()).unwrap();
-        match engine::prepare(stepper, scene, &setting) {
-            Err(Refusal::Setting { message }) => message,
+        match engine::prepare(stepper.as_ref(), scene, &setting) {
+            Err(Refusal::Setting { message, .. }) => message,
             Err(other) => panic!("{pairs:?}: {other}"),
             Ok(_) => panic!("{pairs:?} was accepted"),
         }
@@ -221,13 +221,13 @@ fn what_it_cannot_do_is_refused_with_the_remedy() {
 
 #[test]
 fn number_of_allocations_does_not_depend_on_the_number_of_steps() {
-    let stepper = engine::find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     let scene = report_break(1e-2 * R, 90.2);
     let allocations = |dt: f64| {
         let setting = Setting::default()
             .with("dt", dt)
             .with("contact", "approaching-only");
-        let run = engine::prepare(stepper, &scene, &setting).unwrap();
+        let run = engine::prepare(stepper.as_ref(), &scene, &setting).unwrap();
         let mut steps = 0;
         let count = allocation_counter::measure(|| {
             steps = run.simulate(Record::Final, &Limits::NONE).counters["steps"]
@@ -319,4 +319,48 @@ fn equal_balls_part_at_a_right_angle() {
             a.dot(&b)
         );
     }
+}
+
+#[test]
+fn the_last_step_ends_with_the_duration_and_slows_a_ball_for_as_long() {
+    // 33 steps of 0.03 s and one of 0.01 s
+    let (dt, v) = (0.03, 10.0);
+    let ends = |mu: Option<f64>, duration: f64| {
+        let scene = scenario("cut").moving("cue", [0.0, 0.0], [0.0, v]);
+        let scene = match mu {
+            Some(mu) => scene.cloth(mu),
+            None => scene,
+        };
+        let scene = scene.duration(duration).build();
+        run("stepper", &[&with_dt(dt)], &scene, Record::Every(dt))
+    };
+    for mu in [None, Some(MU)] {
+        let (cut, whole) = (ends(mu, 1.0), ends(mu, 0.99));
+        assert_eq!(cut.ending, Ending::Duration);
+        assert_eq!(cut.end_time, 1.0);
+        assert_eq!(cut.counters["steps"], 34);
+        assert_eq!(whole.counters["steps"], 33);
+        let (last, before) = (cut.paths[0].last().unwrap(), whole.paths[0].last().unwrap());
+        let slower = mu.map_or(0.0, |mu| mu * G * 0.01);
+        // times of the order of 1 s round by 1e-16
+        let speed = before.velocity.y - slower;
+        assert!((last.velocity.y - speed).abs() < 1e-14, "{last:?}");
+        let way = last.position.y - before.position.y;
+        assert!((way - speed * 0.01).abs() < 1e-13, "{way}");
+    }
+    let scene = report_break(1e-3 * R, 90.2);
+    let cut = |duration: f64| carom::scene::Scene {
+        duration,
+        ..scene.clone()
+    };
+    let trace = |duration| run("stepper", &["dt=0.03"], &cut(duration), Record::Events);
+    assert_eq!(trace(1.0).end_time, 1.0);
+    let (short, long) = (trace(2.0), trace(2.01));
+    assert_eq!((short.end_time, long.end_time), (2.0, 2.01));
+    let until = |events: &[carom::trace::Event]| {
+        let early = events.iter().filter(|event| event.time < 1.965);
+        early.copied().collect::<Vec<_>>()
+    };
+    assert_eq!(until(&short.events), until(&long.events));
+    assert!(!until(&short.events).is_empty());
 }

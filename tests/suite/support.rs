@@ -1,16 +1,28 @@
 //! A scenario builder, so that tests read like physics.
 
-use carom::engine::{self, Limits, Setting};
+use carom::engine::{self, Engine, Limits, Roster, Setting};
 use carom::math::Vec3;
 use carom::math::angle::unit_vector;
 use carom::physics::{Cloth, Contact, Cushion, Effects, State};
 use carom::scene::{Ball, Scene, Simultaneous, Table, Units};
 use carom::trace::{Record, Trace};
+use std::sync::{Arc, LazyLock};
 
 /// The report's ball radius, friction and gravity.
 pub const R: f64 = 0.234375;
 pub const MU: f64 = 0.2;
 pub const G: f64 = 9.81;
+
+/// The built-in engines.
+pub fn roster() -> &'static Roster {
+    static ROSTER: LazyLock<Roster> = LazyLock::new(Roster::built_in);
+    &ROSTER
+}
+
+/// The built-in engine called `id`.
+pub fn find(id: &str) -> Option<&'static Arc<dyn Engine>> {
+    roster().find(id)
+}
 
 /// A scene in the making: unbounded plane, elastic contact, no cloth, until said otherwise.
 pub struct Scenario(Scene);
@@ -122,8 +134,8 @@ impl Scenario {
 /// Runs a scene in an engine, with settings as on the command line: `["dt=1e-3"]`.
 pub fn run(engine: &str, settings: &[&str], scene: &Scene, record: Record) -> Trace {
     let setting = Setting::parse(settings.iter().copied()).unwrap();
-    let engine = engine::find(engine).unwrap();
-    let run = engine::prepare(engine, scene, &setting)
+    let engine = find(engine).unwrap();
+    let run = engine::prepare(engine.as_ref(), scene, &setting)
         .unwrap_or_else(|refusal| panic!("{} on {}: {refusal}", engine.id(), scene.name));
     run.simulate(record, &Limits::NONE)
 }

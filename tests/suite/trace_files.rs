@@ -203,6 +203,7 @@ fn trace() -> impl Strategy<Value = Trace> {
                     scene_hash,
                     resolution,
                     rest_speed,
+                    ulp: f64::EPSILON,
                 }
             },
         );
@@ -303,6 +304,7 @@ fn example() -> Trace {
             scene_hash: "0123456789abcdef".into(),
             resolution: 1e-3,
             rest_speed: 0.0,
+            ulp: f64::EPSILON,
         },
         balls: vec!["cue".into(), "a, \"b\"".into()],
         paths: vec![
@@ -394,6 +396,7 @@ fn files_have_the_columns_and_keys_that_other_programs_rely_on() {
       "scene_hash": "0123456789abcdef",
       "resolution": 0.001,
       "rest_speed": 0.0,
+      "ulp": 2.220446049250313e-16,
       "ending": {
         "kind": "duration"
       },
@@ -632,19 +635,19 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.run = f.run.replace("\"end_time\"", "\"end\""),
-            "run.json:50:1: missing field `end_time`",
+            "run.json:51:1: missing field `end_time`",
         ),
         (
             |f| f.run = f.run.replace("2000", "-2000"),
-            "run.json:16:18: invalid value: integer `-2000`, expected u64",
+            "run.json:17:18: invalid value: integer `-2000`, expected u64",
         ),
         (
             |f| f.run = f.run.replace("\"NaN\"", "\"none\""),
-            "run.json:26:21: invalid value: string \"none\", expected a number, \"NaN\", \"inf\" or \"-inf\"",
+            "run.json:27:21: invalid value: string \"none\", expected a number, \"NaN\", \"inf\" or \"-inf\"",
         ),
         (
             |f| f.run = f.run.replace("\"end_time\": 2.0", "\"end_time\": \"inf\""),
-            "run.json:14:19: invalid value: string \"inf\", expected a finite number",
+            "run.json:15:19: invalid value: string \"inf\", expected a finite number",
         ),
         (
             |f| {
@@ -656,7 +659,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.run = f.run.replace("\"time\": 0.5", "\"time\": \"inf\""),
-            "run.json:33:19: invalid value: string \"inf\", expected a finite number",
+            "run.json:34:19: invalid value: string \"inf\", expected a finite number",
         ),
         (
             |f| f.run = f.run.replace("\"duration\"", "\"collapsed\""),

@@ -1,20 +1,20 @@
 //! What the engines of a check were built from: said, and held to what the user wants.
 
 use crate::cli::Failure;
-use crate::engine::{Built, ENGINES, built};
+use crate::engine::{Built, Roster, built};
 
 /// Where a crate can come from, as `--built-from` says it.
 const SOURCES: [&str; 3] = ["registry", "git", "path"];
 
 /// What the engines are, whose findings these are.
-pub fn sentence() -> String {
-    let built = ENGINES.iter().flat_map(|engine| engine.built());
+pub fn sentence(roster: &Roster) -> String {
+    let built = roster.iter().flat_map(|engine| engine.built());
     let built: Vec<String> = built.map(|built| built.to_string()).collect();
     format!("Built with {}.", built.join(", "))
 }
 
 /// Refuses to hold engines that were built from other sources than the user says. Each of `wanted`: `CRATE=SOURCE`.
-pub fn demand(wanted: &[String]) -> Result<(), Failure> {
+pub fn demand(roster: &Roster, wanted: &[String]) -> Result<(), Failure> {
     for wanted in wanted {
         let usage = || {
             let sources = SOURCES.join(", ");
@@ -26,7 +26,7 @@ pub fn demand(wanted: &[String]) -> Result<(), Failure> {
         if !SOURCES.contains(&source) {
             return Err(usage());
         }
-        let engines = ENGINES.iter().flat_map(|engine| engine.built());
+        let engines = roster.iter().flat_map(|engine| engine.built());
         let mut found: Vec<Built> = engines.filter(|built| built.name == name).collect();
         if found.is_empty() {
             found = built::locked(name);

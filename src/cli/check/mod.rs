@@ -7,6 +7,7 @@ use super::accepted::{self, Place, Use};
 use super::arguments::CheckArguments;
 use super::exit::Exit;
 use super::{Failure, output, publish, terminal, versions};
+use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
 use crate::report;
@@ -32,7 +33,7 @@ const BASELINES: Use = Use {
 };
 
 /// Runs the scenes of the gate and holds them against their baselines, or accepts what is found.
-pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
+pub fn check(arguments: &CheckArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
     let (random, named): (Vec<String>, Vec<String>) = arguments
         .scenes
@@ -47,7 +48,7 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
     };
     let random = whole || !random.is_empty();
     let place = Place::new(&BASELINES, arguments.baseline.as_deref(), arguments.accept)?;
-    built_from::demand(&arguments.built_from)?;
+    built_from::demand(roster, &arguments.built_from)?;
     let mut names: Vec<String> = scenes.iter().map(|scene| scene.name.clone()).collect();
     names.extend(random.then(|| RANDOM.to_owned()));
     // a file that cannot be read is said before anything runs
@@ -64,9 +65,9 @@ pub fn check(arguments: &CheckArguments) -> Result<ExitCode, Failure> {
         cancelled: terminal::cancelled(),
     };
     let start = Instant::now();
-    let columns = default_columns();
-    let mut outcome =
-        study(&scenes, &columns, watch).map_err(|error| Failure::Message(error.to_string()))?;
+    let columns = default_columns(roster);
+    let mut outcome = study(roster, &scenes, &columns, watch)
+        .map_err(|error| Failure::Message(error.to_string()))?;
     if random {
         let plan = random_plan(&columns, RANDOM_SCENES);
         outcome.add_random(&random::study(plan, watch));
@@ -106,7 +107,10 @@ fn document(held: &Held, place: &Place<'_>, write: Writer, most: usize, listed: 
     let changed = |scene: &str, engine: &str, level| held.against(scene, engine, level);
     let mut document = write(&held.outcome, &changed);
     let ran = std::mem::replace(&mut document.lead, sentence(held, place));
-    let mut opening = vec![Block::Text(ran), Block::Text(built_from::sentence())];
+    let mut opening = vec![
+        Block::Text(ran),
+        Block::Text(built_from::sentence(&held.outcome.roster)),
+    ];
     if !held.outcome.broken.is_empty() {
         let line = |b: &crate::study::check::Broken| {
             format!("{} in {}: {}: {}", b.engine, b.scene, b.what, b.why)
@@ -165,7 +169,10 @@ fn sentence(held: &Held, place: &Place<'_>) -> String {
         changed,
     } = held.bits();
     let known = held.accepted.iter().flatten();
-    parts.extend(gate::versions_sentence(known, &versions::with_compiler()));
+    parts.extend(gate::versions_sentence(
+        known,
+        &versions::with_compiler(&held.outcome.roster),
+    ));
     parts.push(format!(
         "bits: {same} runs the same, {other} the same physics in different bits, {changed} others"
     ));
@@ -222,7 +229,7 @@ fn accept(held: &Held, place: &Place<'_>, reason: &str) -> Result<ExitCode, Fail
         let now = Accepted {
             hash,
             reason: reason.to_owned(),
-            versions: versions::with_commit(),
+            versions: versions::with_commit(&held.outcome.roster),
             bits: held.bits_of(&scene),
             rows: held.rows(&scene),
             scene,

@@ -155,8 +155,9 @@ fn with_advice(
     if held.accepted_of(&case.scene).is_some() {
         lines.push(held.since(&case.scene, &case.engine));
     }
+    let reference = held.outcome.roster.reference();
     let engine = if case.engine == ORACLE {
-        "exact".to_owned()
+        reference.map_or(String::new(), |engine| engine.id().to_owned())
     } else {
         case.engine.replace(' ', ":")
     };

@@ -5,6 +5,7 @@ mod connections;
 use super::arguments::PlayArguments;
 use super::exit::Exit;
 use super::{Failure, scene, terminal};
+use crate::engine::Roster;
 use crate::web::{self, Problem, Response, Site, Turn, Turns, Unread};
 use connections::{Connections, Doing, Entered, Place, end};
 use std::io::{self, ErrorKind, Read, Write};
@@ -41,7 +42,7 @@ const LOOK: Duration = Duration::from_millis(25);
 const THROWN_AWAY: usize = 1024 * 1024;
 
 /// Serves the page until Ctrl-C or SIGTERM.
-pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
+pub fn play(arguments: &PlayArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let start = scene::text(&arguments.scene)?;
     let listener = listen(arguments.port)?;
     let port = match listener.local_addr() {
@@ -52,7 +53,11 @@ pub fn play(arguments: &PlayArguments) -> Result<ExitCode, Failure> {
     // before the address is known to anybody
     let cancelled = terminal::cancelled();
     let server = Arc::new(Server {
-        site: Site { port, start },
+        site: Site {
+            port,
+            start,
+            roster: roster.clone(),
+        },
         newest: AtomicU64::new(0),
         running: Mutex::new(()),
     });

@@ -2,14 +2,12 @@
 
 use super::certainty::{MOST_BALLS, certify_run};
 use super::solve::Solver;
-use super::{Prepared, Settings};
+use super::{PRECISION, Prepared, Settings};
+use crate::engine::setting::refuse;
 use crate::engine::{Inside, Limits, Parameter, Refusal, Run};
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::scene::Scene;
-use crate::trace::{Ending, Provenance, Record, Trace};
-
-/// Name of the counter that says how many bits it took.
-const BITS: &str = "bits";
+use crate::trace::{Counter, Ending, Provenance, Record, Trace};
 
 /// A run whose scalar is chosen by what happens.
 pub struct Escalating<'a> {
@@ -24,13 +22,12 @@ impl<'a> Escalating<'a> {
         settings: &Settings,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         if scene.balls.len() > MOST_BALLS {
-            return Err(Refusal::Setting {
-                message: format!(
-                    "`precision=auto` looks at every ball for every event and takes at most {MOST_BALLS} balls; the scene has {}: \
-                     choose f64, dd or f256",
-                    scene.balls.len()
-                ),
-            });
+            let message = format!(
+                "`precision=auto` looks at every ball for every event and takes at most {MOST_BALLS} balls; the scene has {}: \
+                 choose f64, dd or f256",
+                scene.balls.len()
+            );
+            return Err(refuse(Some(PRECISION), message));
         }
         let start = Prepared::new(scene, provenance, settings);
         Ok(Box::new(Escalating { start }))
@@ -83,7 +80,9 @@ fn judged<T: Real>(
     let scene = solver.balls().scene();
     let mut trace = solver.run(provenance, record, limits);
     certify_run(scene, &mut trace, T::ULP, limits);
-    trace.counters.insert(BITS.to_owned(), u64::from(T::BITS));
+    let bits = Counter::Bits.id().to_owned();
+    trace.counters.insert(bits, u64::from(T::BITS));
+    trace.provenance.ulp = T::ULP;
     trace
 }
 

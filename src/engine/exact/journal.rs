@@ -8,8 +8,7 @@ use super::predict::Encounter;
 use crate::math::Real;
 use crate::physics::invariants::{kinetic_energy, momentum};
 use crate::physics::{Side, State};
-use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
-use std::collections::BTreeMap;
+use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Trace};
 
 /// The trace of a run under way. It is told of an event when its balls have set off.
 pub struct Journal<T> {
@@ -196,16 +195,14 @@ impl<T: Real> Journal<T> {
         self,
         balls: &Kinematics<'_, T>,
         ending: Ending,
-        further: impl IntoIterator<Item = (&'static str, u64)>,
+        further: impl IntoIterator<Item = (Counter, u64)>,
     ) -> Trace {
         let own = [
-            ("events", self.events),
-            ("ball_ball", self.ball_ball),
-            ("ball_cushion", self.ball_cushion),
+            (Counter::Events, self.events),
+            (Counter::BallBall, self.ball_ball),
+            (Counter::BallCushion, self.ball_cushion),
         ];
         let counters = own.into_iter().chain(further);
-        let counters: BTreeMap<String, u64> =
-            counters.map(|(name, n)| (name.to_owned(), n)).collect();
         self.recorder
             .finish(balls.now().to_f64(), &balls.states(), ending, counters)
     }

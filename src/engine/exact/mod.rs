@@ -50,7 +50,9 @@ pub use certainty::certify;
 pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};
-use super::{About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusal, Run, Setting};
+use super::{
+    About, Engine, Inside, Knob, Limits, Name, Pace, Parameter, Preset, Refusal, Run, Setting,
+};
 use crate::math::{DoubleDouble, Octuple, Real};
 use crate::physics::invariants::{Invariant, kinetic_energy, sphere_inertia};
 use crate::physics::{Contact, Cushion, Friction};
@@ -65,6 +67,9 @@ use world::World;
 /// The event-driven engine.
 #[derive(Debug)]
 pub struct Exact;
+
+/// The key of the scalar.
+const PRECISION: &str = "precision";
 
 /// Settings of `exact`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -111,6 +116,16 @@ impl Precision {
         all.into_iter().find(|precision| precision.id() == id)
     }
 
+    /// Spacing of its numbers just above 1; where more digits may be taken, that of the first.
+    pub fn ulp(self) -> f64 {
+        match self {
+            Precision::F64 | Precision::Auto => f64::ULP,
+            Precision::F32 => f32::ULP,
+            Precision::Dd => DoubleDouble::ULP,
+            Precision::F256 => Octuple::ULP,
+        }
+    }
+
     /// The word of `--set precision=`.
     pub fn id(self) -> &'static str {
         match self {
@@ -124,6 +139,11 @@ impl Precision {
 }
 
 impl Exact {
+    /// The setting that asks for a precision.
+    pub fn in_precision(precision: Precision) -> Setting {
+        Setting::default().with(PRECISION, precision.id())
+    }
+
     /// The precision that a setting asks for; `None` if it is no setting of this engine.
     pub fn precision(setting: &Setting) -> Option<Precision> {
         let settings: Settings = setting.read().ok()?;
@@ -148,7 +168,7 @@ fn lossy(scene: &Scene) -> bool {
 }
 
 impl Engine for Exact {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> &str {
         "exact"
     }
 
@@ -158,21 +178,41 @@ impl Engine for Exact {
 
     fn about(&self) -> About {
         About {
+            name: "the exact engine".into(),
             method: "Event-driven: every ball moves in closed form from one event to the next, and the time of each event is the \
-                     first root of its equation; there is no time step.",
-            shares: "The impact laws (physics: contact, friction, cushion) with stepper; the cloth is written anew.",
+                     first root of its equation; there is no time step."
+                .into(),
+            shares: "The impact laws (physics: contact, friction, cushion) with stepper; the cloth is written anew."
+                .into(),
         }
     }
 
     fn knobs(&self) -> Vec<Knob> {
-        knobs_of::<Settings>()
+        knobs_of::<Settings>(&[])
     }
 
-    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+    fn solves(&self) -> bool {
+        true
+    }
+
+    fn ulp(&self, setting: &Setting) -> f64 {
+        Exact::precision(setting).map_or(f64::EPSILON, Precision::ulp)
+    }
+
+    fn presets(&self) -> Vec<Preset> {
+        vec![Preset {
+            sampled: true,
+            sound: true,
+            swept: false,
+            ..Preset::default()
+        }]
+    }
+
+    fn missing(&self, scene: &Scene) -> Vec<Name> {
         // every law of the scene format is built; what a convention makes of touching balls is known for laws without losses only
         match (scene.simultaneous, lossy(scene)) {
             (Simultaneous::GeneralizedReflections, true) => {
-                vec!["generalized reflections with losses or friction"]
+                vec!["generalized reflections with losses or friction".into()]
             }
             _ => Vec::new(),
         }
@@ -235,9 +275,11 @@ impl Engine for Exact {
         promised
     }
 
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
-        let at = |precision: Precision| Setting::default().with("precision", precision.id());
-        vec![("precision", Precision::FIXED.map(at).to_vec())]
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
+        vec![(
+            "precision".into(),
+            Precision::FIXED.map(Exact::in_precision).to_vec(),
+        )]
     }
 
     fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
@@ -253,15 +295,15 @@ impl Engine for Exact {
         })
     }
 
-    fn remedies(&self, _scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn ablations(&self, _scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
         match setting.read::<Settings>() {
             Ok(Settings {
                 precision: Precision::F32,
                 ..
             }) => {
                 vec![(
-                    "the arithmetic",
-                    setting.clone().with("precision", Precision::F64.id()),
+                    "the arithmetic".into(),
+                    setting.clone().with(PRECISION, Precision::F64.id()),
                 )]
             }
             _ => Vec::new(),
@@ -282,6 +324,7 @@ impl Engine for Exact {
             scene_hash: scene.hash(),
             resolution: 0.0,
             rest_speed: 0.0,
+            ulp: settings.precision.ulp(),
         };
         Ok(match settings.precision {
             Precision::F64 => Prepared::<f64>::boxed(scene, provenance, &settings),

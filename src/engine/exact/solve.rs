@@ -22,7 +22,7 @@ use crate::engine::Limits;
 use crate::math::Real;
 use crate::physics::Side;
 use crate::scene::Scene;
-use crate::trace::{Ending, Provenance, Record, Trace};
+use crate::trace::{Counter, Ending, Provenance, Record, Trace};
 
 /// A run in the scalar `T` that has not begun.
 #[derive(Clone, Debug)]
@@ -111,9 +111,9 @@ impl<'a, T: Real> Played<'a, T> {
     /// The trace, rounded to f64.
     pub fn trace(self) -> Trace {
         let work = [
-            ("cell_crossings", self.work.crossings),
-            ("cell_layouts", self.work.layouts),
-            ("root_calls", self.work.searches),
+            (Counter::CellCrossings, self.work.crossings),
+            (Counter::CellLayouts, self.work.layouts),
+            (Counter::RootCalls, self.work.searches),
         ];
         self.journal.finish(&self.balls, self.ending, work)
     }

@@ -1,11 +1,12 @@
-//! What the scene's laws make of balls, cloth and cushions as materials: coefficients and the rules that combine them.
+//! How rapier is brought to give each pair the coefficients that the scene says.
 //!
 //! rapier gives every collider one coefficient of friction and one of restitution, and combines those of two that meet by the
 //! stronger of their rules: `Average`, then `Min`, then `Max`. The scene says what each pair should have. Balls carry the
 //! numbers of ball-ball contacts, by weak rules; cloth and cushions carry theirs and choose, of `Min` and `Max`, the rule that
 //! picks their own.
 
-use crate::physics::{Cloth, Contact, Cushion, Effects, friction};
+use crate::engine::stepped::materials as scene;
+use crate::physics::Effects;
 
 /// How two coefficients become one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,20 +58,16 @@ impl Rule {
     }
 }
 
-/// Material of every ball. Where friction depends on the slip speed, its coefficient is that of balls that stick.
+/// Material of every ball.
 pub(super) fn ball(effects: &Effects) -> Material {
-    let friction = effects.friction;
-    let restitution = match effects.contact {
-        Some(Contact::Elastic {}) | None => 1.0,
-        Some(Contact::Inelastic { e }) => e,
-    };
+    let material = scene::balls(effects);
     Material {
         friction: Coefficient {
-            value: friction.map_or(0.0, |law| friction::coefficient(law, 0.0)),
+            value: material.friction,
             rule: Rule::Average,
         },
         restitution: Coefficient {
-            value: restitution,
+            value: material.restitution,
             rule: Rule::Min,
         },
     }
@@ -78,38 +75,30 @@ pub(super) fn ball(effects: &Effects) -> Material {
 
 /// Material of the cloth, if the scene has one.
 pub(super) fn cloth(effects: &Effects) -> Option<Material> {
-    let mu = match effects.cloth? {
-        Cloth::Translational { mu } => mu,
-        Cloth::Rotational { mu_slide, .. } => mu_slide,
-    };
+    let (cloth, ball) = (scene::cloth(effects)?, scene::balls(effects));
     Some(Material {
         friction: Coefficient {
-            value: mu,
-            rule: Rule::picking(mu, ball(effects).friction.value),
+            value: cloth.friction,
+            rule: Rule::picking(cloth.friction, ball.friction),
         },
         restitution: Coefficient {
-            value: 0.0,
+            value: cloth.restitution,
             rule: Rule::Min,
         },
     })
 }
 
-/// Material of the cushions, if the scene has some that rapier can be told of.
+/// Material of the cushions, if the scene has some that rapier can be told of; `missing` names the others.
 pub(super) fn cushion(effects: &Effects) -> Option<Material> {
-    let e = match effects.cushion? {
-        Cushion::Elastic {} => 1.0,
-        Cushion::Restitution { e } => e,
-        // `missing` names them
-        Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. } => return None,
-    };
+    let (cushion, ball) = (scene::cushion(effects)?, scene::balls(effects));
     Some(Material {
         friction: Coefficient {
-            value: 0.0,
+            value: cushion.friction,
             rule: Rule::Min,
         },
         restitution: Coefficient {
-            value: e,
-            rule: Rule::picking(e, ball(effects).restitution.value),
+            value: cushion.restitution,
+            rule: Rule::picking(cushion.restitution, ball.restitution),
         },
     })
 }

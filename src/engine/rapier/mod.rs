@@ -4,19 +4,13 @@
 //! |---|---|
 //! | `settings.rs` | the knobs and the two presets |
 //! | `world.rs` | the equivalent scene inside rapier; compiled twice, in `double.rs` and `single.rs` |
-//! | `interface.rs` | what the stepping loop sees of it |
-//! | `materials.rs` | coefficients of balls, cloth and cushions, and the rules that combine them |
-//! | `cloth.rs` | what of the cloth rapier lacks, as forces; what a step without impact leaves |
-//! | `run.rs` | the stepping loop |
-//! | `journal.rs` | impacts from impulses, both sides of each, extrema |
+//! | `materials.rs` | the rules by which rapier combines coefficients |
 //! | `sheet.rs` | rapier's parameters by its own names |
+//!
+//! Loop, journal, and what of the cloth rapier lacks are those of every engine that steps: [`super::stepped`].
 
-mod cloth;
 mod double;
-mod interface;
-mod journal;
 mod materials;
-mod run;
 mod settings;
 mod sheet;
 mod single;
@@ -24,17 +18,19 @@ mod single;
 pub use settings::{Ccd, Friction, Preset, Settings};
 
 use super::built::{Built, built};
-use super::setting::knobs_of;
-use super::{About, Engine, Knob, Pace, Refusal, Run, Setting};
+use super::setting::{knobs_of, parameters};
+use super::stepped::{Setup, Stepped, World};
+use super::{About, Engine, Knob, KnobRole, Name, Pace, Preset as Known, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{self, Cloth, Contact, Cushion};
 use crate::scene::Scene;
-use run::Simulation;
+use settings::{PRESET, STEP};
 
 /// The scene in rapier, in one precision.
 #[derive(Debug)]
 pub struct Rapier {
     id: &'static str,
+    name: &'static str,
     package: &'static str,
     precision: Precision,
 }
@@ -46,15 +42,17 @@ enum Precision {
 }
 
 /// rapier in f64.
-pub static RAPIER_F64: Rapier = Rapier {
+pub const RAPIER_F64: Rapier = Rapier {
     id: "rapier-f64",
+    name: "rapier",
     package: "rapier3d-f64",
     precision: Precision::Double,
 };
 
 /// rapier in f32.
-pub static RAPIER_F32: Rapier = Rapier {
+pub const RAPIER_F32: Rapier = Rapier {
     id: "rapier-f32",
+    name: "rapier in f32",
     package: "rapier3d",
     precision: Precision::Single,
 };
@@ -93,7 +91,7 @@ impl Rapier {
 }
 
 impl Engine for Rapier {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> &str {
         self.id
     }
 
@@ -107,20 +105,51 @@ impl Engine for Rapier {
 
     fn about(&self) -> About {
         About {
+            name: self.name.into(),
             method: "Fixed steps of the rapier physics engine: contacts are predicted once a step, a sequential-impulse \
-                     solver moves the balls in substeps, and restitution acts once at the end of the step.",
+                     solver moves the balls in substeps, and restitution acts once at the end of the step."
+                .into(),
             shares: "With stepper and exact nothing but the scene: sliding, contacts and cushions are rapier's own solver. What \
                      rapier lacks uses rates and coefficients of the workbench: rolling resistance and spin-down (as stepper), \
                      friction between balls that depends on their slip speed, and who is in a pocket (as all). The two rapier \
-                     engines are one source in two precisions.",
+                     engines are one source in two precisions."
+                .into(),
+        }
+    }
+
+    fn family(&self) -> &str {
+        "rapier"
+    }
+
+    fn ulp(&self, _setting: &Setting) -> f64 {
+        match self.precision {
+            Precision::Double => f64::EPSILON,
+            Precision::Single => f64::from(f32::EPSILON),
         }
     }
 
     fn knobs(&self) -> Vec<Knob> {
-        knobs_of::<Settings>()
+        knobs_of::<Settings>(&[(STEP, KnobRole::Step), (PRESET, KnobRole::Preset)])
     }
 
-    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+    fn presets(&self) -> Vec<Known> {
+        let converging = Known {
+            id: "converging".into(),
+            ..Known::default()
+        };
+        let stock = Known {
+            id: "stock".into(),
+            words: "stock".into(),
+            setting: Setting::default().with(PRESET, "stock"),
+            compared: false,
+            // its step is one of the defaults that it is made of
+            swept: false,
+            ..Known::default()
+        };
+        vec![converging, stock]
+    }
+
+    fn missing(&self, scene: &Scene) -> Vec<Name> {
         // exhaustive, so that a new law does not compile until it is answered here
         let mut missing = Vec::new();
         match scene.effects.cloth {
@@ -137,16 +166,18 @@ impl Engine for Rapier {
             None | Some(Cushion::Elastic {} | Cushion::Restitution { .. }) => {}
             // laws of a paper: an impulse at a nose that rapier's half-spaces do not have
             Some(law @ (Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. })) => {
-                missing.push(law.id());
+                missing.push(law.id().into());
             }
         }
         if scene.effects.contact.is_some() && !scene.equal_radii() {
             missing.push(
-                "balls of unequal radii that meet (the tilted impact would lift one off the table)",
+                "balls of unequal radii that meet (the tilted impact would lift one off the table)"
+                    .into(),
             );
         }
         if !self.fits(scene) {
-            missing.push("numbers as large or as small as the scene's in its arithmetic");
+            let numbers = "numbers as large or as small as the scene's in its arithmetic";
+            missing.push(numbers.into());
         }
         missing
     }
@@ -160,7 +191,7 @@ impl Engine for Rapier {
         promised
     }
 
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
         let steps = [
             60.0, 120.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0, 16000.0, 32000.0, 64000.0,
         ];
@@ -170,7 +201,7 @@ impl Engine for Rapier {
                 .fold(Setting::default(), |s, (key, value)| s.with(key, value));
             steps
                 .iter()
-                .map(|rate| base.clone().with("dt", 1.0 / rate))
+                .map(|rate| base.clone().with(STEP, 1.0 / rate))
                 .collect::<Vec<_>>()
         };
         let over = |key: &str, values: &[&str]| {
@@ -180,16 +211,19 @@ impl Engine for Rapier {
                 .collect::<Vec<_>>()
         };
         vec![
-            ("converging", over_dt(&[])),
-            ("stock", over_dt(&[("preset", "stock")])),
-            ("recycling", over_dt(&[("contact_recycling", "true")])),
+            ("converging".into(), over_dt(&[])),
+            ("stock".into(), over_dt(&[(PRESET, "stock")])),
             (
-                "substeps",
+                "recycling".into(),
+                over_dt(&[("contact_recycling", "true")]),
+            ),
+            (
+                "substeps".into(),
                 over("substeps", &["1", "2", "4", "8", "16", "32"]),
             ),
-            ("soft-ccd", over_dt(&[("soft_ccd_prediction", "10")])),
+            ("soft-ccd".into(), over_dt(&[("soft_ccd_prediction", "10")])),
             (
-                "prediction",
+                "prediction".into(),
                 over(
                     "prediction_distance",
                     &["0.16", "0.08", "0.04", "0.02", "0.01", "0.005"],
@@ -208,6 +242,10 @@ impl Engine for Rapier {
         })
     }
 
+    fn step(&self, setting: &Setting) -> Option<f64> {
+        Some(Settings::read(setting).ok()?.dt)
+    }
+
     fn awake(&self, setting: &Setting) -> Setting {
         match Settings::read(setting) {
             Ok(settings) if settings.can_sleep => setting.clone().with("can_sleep", false),
@@ -215,25 +253,28 @@ impl Engine for Rapier {
         }
     }
 
-    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn ablations(&self, scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
         let Ok(settings) = Settings::read(setting).and_then(|settings| settings.for_scene(scene))
         else {
             return Vec::new();
         };
         let with = |key: &str, value: &str| setting.clone().with(key, value);
-        let mut remedies = Vec::new();
+        let mut ablations: Vec<(Name, Setting)> = Vec::new();
         let meet = scene.effects.contact.is_some() && scene.balls.len() > 1;
         if settings.contact_recycling && meet {
-            remedies.push(("contact recycling", with("contact_recycling", "false")));
+            ablations.push((
+                "contact recycling".into(),
+                with("contact_recycling", "false"),
+            ));
         }
         if settings.can_sleep {
-            remedies.push(("sleep", with("can_sleep", "false")));
+            ablations.push(("sleep".into(), with("can_sleep", "false")));
         }
         let fastest = scene.fastest();
         if fastest > settings.normalized_max_linear_velocity * settings.length_unit {
             let none = format!("{:e}", f64::MAX);
-            remedies.push((
-                "the cap on speed",
+            ablations.push((
+                "the cap on speed".into(),
                 with("normalized_max_linear_velocity", &none),
             ));
         }
@@ -243,16 +284,19 @@ impl Engine for Rapier {
             && scene.effects.rotates()
             && turn > std::f64::consts::FRAC_PI_4
         {
-            remedies.push(("the cap on rotation", with("allow_fast_rotation", "true")));
+            ablations.push((
+                "the cap on rotation".into(),
+                with("allow_fast_rotation", "true"),
+            ));
         }
         let jumps = fastest * settings.dt > 2.0 * scene.smallest_radius();
         let sweeps = matches!(settings.ccd, Ccd::Cue);
         if jumps && !sweeps && meet {
-            remedies.push(("the sweep of the cue ball", with("ccd", "cue")));
+            ablations.push(("the sweep of the cue ball".into(), with("ccd", "cue")));
         }
-        let finer = setting.clone().with("dt", settings.dt / 8.0);
-        remedies.push(("the time step", finer));
-        remedies
+        let finer = setting.clone().with(STEP, settings.dt / 8.0);
+        ablations.push(("the time step".into(), finer));
+        ablations
     }
 
     fn prepare<'a>(
@@ -261,16 +305,37 @@ impl Engine for Rapier {
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         let settings = Settings::read(setting)?.for_scene(scene)?;
-        let version = self.version();
         Ok(match self.precision {
             Precision::Double => {
                 let world = double::world::Billiard::new(scene, &settings);
-                Box::new(Simulation::new(scene, settings, world, self.id, version))
+                let gravity = world.gravity();
+                Box::new(self.run(scene, &settings, world, gravity))
             }
             Precision::Single => {
                 let world = single::world::Billiard::new(scene, &settings);
-                Box::new(Simulation::new(scene, settings, world, self.id, version))
+                let gravity = world.gravity();
+                Box::new(self.run(scene, &settings, world, gravity))
             }
+        })
+    }
+}
+
+impl Rapier {
+    /// A run of what is in `world`; `gravity`, length/s^2, as it holds it.
+    fn run<'a, W: World>(
+        &self,
+        scene: &'a Scene,
+        settings: &Settings,
+        world: W,
+        gravity: f64,
+    ) -> Stepped<'a, W> {
+        Stepped::new(scene, world, |inside| Setup {
+            engine: self.id.to_owned(),
+            version: self.version(),
+            parameters: parameters(settings),
+            sheet: sheet::sheet(scene, settings, inside, gravity),
+            dt: settings.dt,
+            substeps: settings.substeps,
         })
     }
 }

@@ -3,11 +3,18 @@
 //! Materials, combination rules, locks and gravity are not here: they are the scene.
 
 use crate::engine::setting::refuse;
-use crate::engine::{Refusal, Setting, clock};
+use crate::engine::stepped::check_step;
+use crate::engine::{Refusal, Setting};
 use crate::scene::Scene;
 use rapier3d_f64::dynamics::IntegrationParameters;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// The key of the step.
+pub(super) const STEP: &str = "dt";
+
+/// The key that stands for the defaults of the others.
+pub(super) const PRESET: &str = "preset";
 
 /// More steps than this in one run are refused: half an hour at the least.
 const MOST_STEPS: f64 = 1e8;
@@ -174,13 +181,12 @@ impl Settings {
 
     /// Reads a setting: the preset first, then everything else over its defaults. Refuses what cannot run.
     pub fn read(setting: &Setting) -> Result<Self, Refusal> {
-        let preset = match setting.values.get("preset").map(String::as_str) {
+        let preset = match setting.values.get(PRESET).map(String::as_str) {
             None | Some("converging") => Preset::Converging,
             Some("stock") => Preset::Stock,
             Some(other) => {
-                return Err(refuse(format!(
-                    "`preset={other}`: expected converging or stock"
-                )));
+                let message = format!("`{PRESET}={other}`: expected converging or stock");
+                return Err(refuse(Some(PRESET), message));
             }
         };
         let settings: Settings = setting.read_over(&Settings::of(preset))?;
@@ -190,7 +196,7 @@ impl Settings {
 
     /// The same settings with everything that depends on the scene decided.
     pub fn for_scene(mut self, scene: &Scene) -> Result<Self, Refusal> {
-        clock::check_step(self.dt, scene, MOST_STEPS)?;
+        check_step(STEP, self.dt, scene, MOST_STEPS)?;
         if self.ccd == Ccd::Auto {
             let slow = scene.largest_speed() * self.dt < 0.5 * scene.smallest_radius();
             self.ccd = if slow { Ccd::Off } else { Ccd::Cue };
@@ -207,9 +213,9 @@ impl Settings {
         ];
         for (key, value, least) in counts {
             if !(least..=1000).contains(&value) {
-                return Err(refuse(format!(
-                    "`{key}={value}`: expected a whole number from {least} to 1000"
-                )));
+                let message =
+                    format!("`{key}={value}`: expected a whole number from {least} to 1000");
+                return Err(refuse(Some(key), message));
             }
         }
         for (key, value, least, most) in self.numbers() {
@@ -219,9 +225,9 @@ impl Settings {
                 } else {
                     format!("{least} or more")
                 };
-                return Err(refuse(format!(
-                    "`{key}={value}`: expected a number, {least} and at most {most:e}"
-                )));
+                let message =
+                    format!("`{key}={value}`: expected a number, {least} and at most {most:e}");
+                return Err(refuse(Some(key), message));
             }
         }
         Ok(())
@@ -230,7 +236,7 @@ impl Settings {
     /// Each number by its key, with the least and the greatest that it may be.
     fn numbers(&self) -> [(&'static str, f64, f64, f64); 13] {
         [
-            ("dt", self.dt, LEAST, 1e9),
+            (STEP, self.dt, LEAST, 1e9),
             ("prediction_distance", self.prediction_distance, LEAST, 1e6),
             ("length_unit", self.length_unit, 1e-6, 1e6),
             (

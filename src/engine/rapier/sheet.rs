@@ -1,9 +1,8 @@
 //! Rows of the parameter-equivalence sheet: rapier's own names and values for everything that changes physics.
 
-use super::cloth::rest_speed;
-use super::cloth::slip_rest;
 use super::materials;
 use super::settings::Settings;
+use crate::engine::stepped::{rest_speed, slip_rest};
 use crate::engine::{Inside, Parameter, Partner, Role};
 use crate::physics::{self, Cloth};
 use crate::scene::Scene;

@@ -19,10 +19,9 @@ use super::rapier::parry::shape::HalfSpace;
 use super::rapier::pipeline::{
     ActiveHooks, ContactModificationContext, PhysicsHooks, PhysicsWorld,
 };
-use crate::engine::rapier::cloth::Load;
-use crate::engine::rapier::interface::{Other, Push, World};
 use crate::engine::rapier::materials::{self, Coefficient, Material, Rule};
 use crate::engine::rapier::settings::{Ccd, Friction, Settings};
+use crate::engine::stepped::{Load, Other, Push, World};
 use crate::engine::{Inside, PairMaterial, Partner};
 use crate::math::{Real as Scalar, Vec3};
 use crate::physics::{self, Body, Side, State};
@@ -161,6 +160,11 @@ impl Billiard {
         self.colliders.push(collider);
     }
 
+    /// Gravity, length/s^2, as rapier holds it.
+    pub fn gravity(&self) -> f64 {
+        -self.world.gravity.z.to_f64()
+    }
+
     /// Materials of every pair of colliders that may meet, equal ones of a ball and a kind of partner only once.
     fn materials(&self) -> Vec<PairMaterial> {
         let mut materials = Vec::new();
@@ -263,8 +267,6 @@ impl Billiard {
 }
 
 impl World for Billiard {
-    const ULP: f64 = <Real as Scalar>::ULP;
-
     fn step(&mut self, dt: f64) {
         for (slept, body) in self.slept.iter_mut().zip(&self.bodies) {
             *slept = self.world.bodies[*body].is_sleeping();
@@ -348,13 +350,9 @@ impl World for Billiard {
             inertia: all.map(|i| self.inertia(i)).collect(),
             energy: self.bodies.iter().map(energy).sum(),
             materials: self.materials(),
-            ulp: <Self as World>::ULP,
+            ulp: <Real as Scalar>::ULP,
             contact_time: None,
         }
-    }
-
-    fn gravity(&self) -> f64 {
-        -self.world.gravity.z.to_f64()
     }
 }
 

@@ -26,13 +26,16 @@ pub struct PhaseEnd {
 }
 
 /// The friction step of a cloth.
-pub trait ClothStep {
+pub trait ClothStep: Sized {
     /// Takes every ball on by one step and answers how many move or spin. Balls of which some motion ends within the step are
     /// left as they are, added to `ending`, and not counted.
     fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize;
 
     /// What a step in which some motion ends leaves of ball `i`.
     fn end(&self, balls: &Balls, i: usize) -> PhaseEnd;
+
+    /// The same law for steps of `dt`, s.
+    fn in_steps_of(&self, dt: f64) -> Self;
 
     /// True when a ball that has come to a halt while it slides is set in motion again by its spin.
     fn drives_slides(&self) -> bool {
@@ -51,6 +54,10 @@ const FEW: usize = 3;
 pub struct NoCloth;
 
 impl ClothStep for NoCloth {
+    fn in_steps_of(&self, _dt: f64) -> Self {
+        *self
+    }
+
     fn act(&self, balls: &mut Balls, _ending: &mut Vec<usize>) -> usize {
         let moving = balls.moving_centres();
         // spins that nothing slows, under balls that stand
@@ -157,6 +164,10 @@ impl Translational {
 }
 
 impl ClothStep for Translational {
+    fn in_steps_of(&self, dt: f64) -> Self {
+        Translational { dt, ..*self }
+    }
+
     fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
         let mut moving = 0;
         let velocities = balls.vx.chunks_mut(LANES).zip(balls.vy.chunks_mut(LANES));
@@ -259,6 +270,10 @@ impl Rotational {
 }
 
 impl ClothStep for Rotational {
+    fn in_steps_of(&self, dt: f64) -> Self {
+        Rotational { dt, ..*self }
+    }
+
     fn act(&self, balls: &mut Balls, ending: &mut Vec<usize>) -> usize {
         let mut moving = 0;
         for i in 0..balls.len() {

@@ -1,6 +1,6 @@
 //! The report's hand-written model: fixed steps, exchange of normal velocities, Coulomb friction, walls.
 //!
-//! Every step does, in this order: the ball that was shot against each other ball; each pair of the others; friction;
+//! Steps are cut by the clock of every engine that steps. Every step does, in this order: the ball that was shot against each other ball; each pair of the others; friction;
 //! walls; positions. The order is the report's and part of the model. What the report leaves open is a setting.
 //!
 //! What the report leaves out is simulated in its own spirit where a scene calls for it. Rotation: rates times dt in the
@@ -18,7 +18,8 @@ mod sheet;
 mod walls;
 
 use super::setting::{knobs_of, refuse};
-use super::{About, Engine, Knob, Pace, Refusal, Run, Setting, clock};
+use super::stepped::check_step;
+use super::{About, Engine, Knob, KnobRole, Name, Pace, Preset, Refusal, Run, Setting};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, Contact};
 use crate::scene::{Scene, Shot};
@@ -79,6 +80,12 @@ pub enum Partners {
     Near,
 }
 
+/// The engine's id.
+const ID: &str = "stepper";
+
+/// The key of the step.
+const STEP: &str = "dt";
+
 /// More steps than this are refused: at 100 ns a step they would take hours.
 const MOST_STEPS: f64 = 1e11;
 
@@ -94,18 +101,24 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Reads a setting whose step comes to an end in a scene.
     fn read(setting: &Setting, scene: &Scene) -> Result<Self, Refusal> {
         let settings: Settings = setting.read()?;
-        clock::check_step(settings.dt, scene, MOST_STEPS)?;
+        check_step(STEP, settings.dt, scene, MOST_STEPS)?;
+        Ok(settings)
+    }
+
+    /// Refuses rules that have no meaning in a scene.
+    fn for_scene(self, scene: &Scene) -> Result<Self, Refusal> {
+        let settings = self;
         if settings.launch == Launch::AsWritten && !matches!(scene.shot, Some(Shot::Force { .. })) {
-            return Err(refuse(
-                "`launch=as-written` needs a scene with [shot.force]: v = F dt / m".to_owned(),
-            ));
+            let message = "`launch=as-written` needs a scene with [shot.force]: v = F dt / m";
+            return Err(refuse(Some("launch"), message.to_owned()));
         }
         if settings.contact == ContactRule::AsWritten && !scene.equal_masses() {
             let message = "`contact=as-written` exchanges velocities of equal masses, and the balls' masses differ; \
                            `contact=approaching-only` takes masses into account";
-            return Err(refuse(message.to_owned()));
+            return Err(refuse(Some("contact"), message.to_owned()));
         }
         Ok(settings)
     }
@@ -131,8 +144,8 @@ fn slowest(scene: &Scene) -> Option<f64> {
 }
 
 impl Engine for Stepper {
-    fn id(&self) -> &'static str {
-        "stepper"
+    fn id(&self) -> &str {
+        ID
     }
 
     fn version(&self) -> String {
@@ -141,17 +154,37 @@ impl Engine for Stepper {
 
     fn about(&self) -> About {
         About {
+            name: "the report's model".into(),
             method: "the report's model: fixed steps, velocity exchange of overlapping balls, walls that push back; what the \
-                     report leaves out goes by rates and impulses in the same steps",
-            shares: "impact laws (but the report's exchange) and cushion laws with exact; nothing with rapier",
+                     report leaves out goes by rates and impulses in the same steps"
+                .into(),
+            shares: "impact laws (but the report's exchange) and cushion laws with exact; nothing with rapier"
+                .into(),
         }
     }
 
     fn knobs(&self) -> Vec<Knob> {
-        knobs_of::<Settings>()
+        knobs_of::<Settings>(&[(STEP, KnobRole::Step)])
     }
 
-    fn missing(&self, _scene: &Scene) -> Vec<&'static str> {
+    fn presets(&self) -> Vec<Preset> {
+        let as_written = Preset {
+            id: "as-written".into(),
+            words: "as written".into(),
+            sampled: true,
+            ..Preset::default()
+        };
+        let approaching_only = Preset {
+            id: "approaching-only".into(),
+            words: "approach check".into(),
+            setting: Setting::default().with("contact", "approaching-only"),
+            sound: true,
+            ..Preset::default()
+        };
+        vec![as_written, approaching_only]
+    }
+
+    fn missing(&self, _scene: &Scene) -> Vec<Name> {
         // every law of the list: the matches on laws in this folder and in physics are exhaustive
         Vec::new()
     }
@@ -185,17 +218,17 @@ impl Engine for Stepper {
         promises
     }
 
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
         let steps = [
             "0.02", "0.01", "5e-3", "2e-3", "1e-3", "5e-4", "2e-4", "1e-4", "5e-5", "2e-5", "1e-5",
             "5e-6", "2e-6", "1e-6",
         ];
-        let dt = |base: &Setting| steps.iter().map(|dt| base.clone().with("dt", dt)).collect();
+        let dt = |base: &Setting| steps.iter().map(|dt| base.clone().with(STEP, dt)).collect();
         let as_written = Setting::default();
         let approaching = Setting::default().with("contact", "approaching-only");
         vec![
-            ("as-written", dt(&as_written)),
-            ("approaching-only", dt(&approaching)),
+            ("as-written".into(), dt(&as_written)),
+            ("approaching-only".into(), dt(&approaching)),
         ]
     }
 
@@ -208,20 +241,18 @@ impl Engine for Stepper {
         })
     }
 
-    fn remedies(&self, _scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn ablations(&self, _scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
         let Ok(settings) = setting.read::<Settings>() else {
             return Vec::new();
         };
-        let mut remedies = Vec::new();
+        let mut ablations: Vec<(Name, Setting)> = Vec::new();
         if settings.contact == ContactRule::AsWritten {
             let approaching = setting.clone().with("contact", "approaching-only");
-            remedies.push(("the overlap rule as written", approaching));
+            ablations.push(("the overlap rule as written".into(), approaching));
         }
-        remedies.push((
-            "the time step",
-            setting.clone().with("dt", settings.dt / 16.0),
-        ));
-        remedies
+        let finer = setting.clone().with(STEP, settings.dt / 16.0);
+        ablations.push(("the time step".into(), finer));
+        ablations
     }
 
     fn prepare<'a>(
@@ -229,7 +260,7 @@ impl Engine for Stepper {
         scene: &'a Scene,
         setting: &Setting,
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
-        let settings = Settings::read(setting, scene)?;
+        let settings = Settings::read(setting, scene)?.for_scene(scene)?;
         Ok(Box::new(Stepping::new(scene, settings, self.version())))
     }
 }

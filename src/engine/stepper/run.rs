@@ -8,11 +8,12 @@ use super::pairs::Pairs;
 use super::walls::Walls;
 use super::{Settings, sheet};
 use crate::engine::setting::parameters;
+use crate::engine::stepped::Clock;
 use crate::engine::{Inside, Limits, Parameter, Run};
 use crate::physics::cloth::rotational::Coefficients;
 use crate::physics::{Cloth, Contact, Cushion, Effects, Motion, State, cushion, pockets};
 use crate::scene::Scene;
-use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
+use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
 
 /// A scene inside the stepper, before its first step.
 #[derive(Debug)]
@@ -36,13 +37,14 @@ impl<'a> Stepping<'a> {
             balls: Balls::new(scene, &settings),
             laws: scene.effects.clone(),
             provenance: Provenance {
-                engine: "stepper".to_owned(),
+                engine: super::ID.to_owned(),
                 version,
                 parameters: parameters(&settings),
                 scene: scene.name.clone(),
                 scene_hash: scene.hash(),
                 resolution: settings.dt,
                 rest_speed: 0.0,
+                ulp: f64::EPSILON,
             },
         }
     }
@@ -90,6 +92,9 @@ struct Loop<'a, C> {
     scene: &'a Scene,
     settings: Settings,
     laws: &'a Effects,
+    clock: Clock,
+    /// Length of the step that is taken, s.
+    dt: f64,
     cloth: C,
     balls: Balls,
     sizes: Sizes,
@@ -135,6 +140,8 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             scene,
             settings: run.settings,
             laws: &run.laws,
+            clock: Clock::new(scene.duration, run.settings.dt),
+            dt: run.settings.dt,
             cloth,
             pairs: Pairs::new(run.settings.partners, &sizes, n),
             sizes,
@@ -157,14 +164,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     }
 
     fn run(mut self, limits: &Limits<'_>) -> Trace {
-        let dt = self.settings.dt;
-        // a duration that is a whole number of steps up to rounding takes exactly that number
-        let steps = (self.scene.duration / dt * (1.0 - 1e-12)).ceil() as u64;
+        let last = self.clock.steps - 1;
         let mut moving = self.balls.moving();
         let mut ending = Ending::Duration;
         let mut step = 0;
         let patience = (PATIENCE / self.balls.len().max(1)).max(1) as u64;
-        while step < steps {
+        while step <= last {
             if moving == 0 && !self.scene.run_to_duration {
                 ending = Ending::Rest;
                 break;
@@ -173,12 +178,15 @@ impl<'a, C: ClothStep> Loop<'a, C> {
                 ending = Ending::Cancelled;
                 break;
             }
+            if step == last {
+                self.shorten(last);
+            }
             self.contacts(step);
             moving = self.friction(step);
             self.cushions(step);
             self.advance();
             step += 1;
-            let time = step as f64 * dt;
+            let time = self.clock.time(step);
             self.tell_ended(time);
             if self.any_pocketed() {
                 self.pocket(time);
@@ -195,8 +203,15 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         self.finish(step, ending)
     }
 
+    /// The last step ends with the duration.
+    #[cold]
+    fn shorten(&mut self, last: u64) {
+        self.dt = self.clock.length(last);
+        self.cloth = self.cloth.in_steps_of(self.dt);
+    }
+
     fn finish(self, step: u64, ending: Ending) -> Trace {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let states = self.balls.states();
         let broken: Vec<u32> = states
             .iter()
@@ -217,16 +232,12 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             }),
         };
         let counters = [
-            ("steps", step),
-            ("exchanges", self.exchanges),
-            ("overlaps", self.overlapped),
-            ("longest_overlap_steps", self.longest_overlap),
-            ("pairs_overlapping_at_end", self.overlaps.now().len() as u64),
+            (Counter::Steps, step),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Overlaps, self.overlapped),
+            (Counter::LongestOverlap, self.longest_overlap),
+            (Counter::OverlapsAtEnd, self.overlaps.now().len() as u64),
         ];
-        let counters = counters
-            .into_iter()
-            .map(|(name, count)| (name.to_owned(), count))
-            .collect();
         self.recorder.finish(time, &states, ending, counters)
     }
 
@@ -250,7 +261,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
             contact,
             friction: self.laws.friction,
         };
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         self.exchanged.clear();
         self.overlaps.begin();
         for k in 0..self.overlapping.len() {
@@ -277,7 +288,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// Gives both balls of an overlapping pair their motions after an exchange, and tells it.
     fn apply(&mut self, step: u64, overlap: usize, (one, two): (Motion, Motion)) {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let (i, j) = self.overlaps.now()[overlap].pair;
         let balls = &mut self.balls;
         let (first, second) = (balls.scene_index[i], balls.scene_index[j]);
@@ -362,7 +373,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
     #[cold]
     #[inline(never)]
     fn end_phases(&mut self, step: u64) -> usize {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let mut moving = 0;
         for k in 0..self.ending.len() {
             let i = self.ending[k];
@@ -419,7 +430,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
         if !past {
             return;
         }
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let before = self.balls.state(i);
         let met = outward * before.velocity[side.axis()] > 0.0;
         let energy = self.balls.energy(i);
@@ -455,7 +466,7 @@ impl<'a, C: ClothStep> Loop<'a, C> {
 
     /// 5.: positions move with the new velocities.
     fn advance(&mut self) {
-        let (balls, dt) = (&mut self.balls, self.settings.dt);
+        let (balls, dt) = (&mut self.balls, self.dt);
         for (x, v) in balls.x.iter_mut().zip(&balls.vx) {
             *x += v * dt;
         }

@@ -109,15 +109,13 @@ pub fn check(scene: &Scene, trace: &Trace) -> Laws {
     }
     // how near is near enough for an impact is decided before a run, by its longest way
     let place = Run::of(scene, trace).rounding(scene.duration);
-    let precision = trace.provenance.parameters.get("precision");
-    let precision = precision.and_then(|word| word.as_str()).unwrap_or("f64");
     let mut audit = Audit {
         scene,
         trace,
         grain: ULPS * f64::EPSILON,
         place,
         step: trace.provenance.resolution,
-        rounded: precision != "f64",
+        rounded: trace.provenance.ulp != f64::EPSILON,
         found: Laws::default(),
     };
     audit.events();

@@ -30,6 +30,7 @@ use super::Extent;
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
 use super::stability::{Oracle, PlanError, ask_oracles, tried};
+use crate::engine::Roster;
 use crate::finding::{Finding, Tolerance};
 use crate::scene::{Scene, SetName, Simultaneous};
 use std::collections::BTreeMap;
@@ -106,6 +107,8 @@ pub struct Case {
 /// Everything that a check found.
 #[derive(Clone, Debug)]
 pub struct Outcome {
+    /// The engines of which scenes may ask something; its reference is behind [`ORACLE`].
+    pub roster: Roster,
     /// The scenes, in order.
     pub scenes: Vec<Scene>,
     /// Every number and verdict with its address: by scene, then the oracle, then the columns in order.
@@ -140,20 +143,17 @@ enum Unit {
 /// The columns in which a scene runs: the given ones, then what its `try` asks of each engine that is given with its defaults.
 ///
 /// Errors: the scene asks for a setting that is none.
-pub fn plan(scene: &Scene, columns: &[Column]) -> Result<Vec<Column>, PlanError> {
+pub fn plan(roster: &Roster, scene: &Scene, columns: &[Column]) -> Result<Vec<Column>, PlanError> {
     let mut planned = columns.to_vec();
     for text in &scene.try_settings {
-        let asked = tried(scene, text)?;
+        let asked = tried(roster, scene, text)?;
         let given = |column: &&Column| {
             column.engine.id() == asked.engine.id() && column.setting.values.is_empty()
         };
         let Some(given) = columns.iter().find(given) else {
             continue;
         };
-        let column = Column {
-            engine: given.engine,
-            setting: asked.setting,
-        };
+        let column = Column::with(&given.engine, asked.setting);
         if planned.iter().all(|known| known.label() != column.label()) {
             planned.push(column);
         }
@@ -164,8 +164,13 @@ pub fn plan(scene: &Scene, columns: &[Column]) -> Result<Vec<Column>, PlanError>
 /// Runs the scenes in the columns and in what they ask for. Answers the same to the bit for any number of threads.
 ///
 /// Errors: a scene asks for a setting that is none.
-pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Result<Outcome, PlanError> {
-    let plans = scenes.iter().map(|scene| plan(scene, columns));
+pub fn study(
+    roster: &Roster,
+    scenes: &[Scene],
+    columns: &[Column],
+    watch: Watch<'_>,
+) -> Result<Outcome, PlanError> {
+    let plans = scenes.iter().map(|scene| plan(roster, scene, columns));
     let plans: Vec<Vec<Column>> = plans.collect::<Result<_, _>>()?;
     let oracles = ask_oracles(scenes, watch);
     let ensembles: Vec<Option<distribution::Ensemble>> = scenes
@@ -206,7 +211,7 @@ pub fn study(scenes: &[Scene], columns: &[Column], watch: Watch<'_>) -> Result<O
             }
         }
     });
-    Ok(conclude(scenes, &plans, &oracles, &units, answers))
+    Ok(conclude(roster, scenes, &plans, &oracles, &units, answers))
 }
 
 /// True where the scene has no single answer to its end: the horizon comes before, or it asks for an ensemble itself.
@@ -231,6 +236,7 @@ fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {
 }
 
 fn conclude(
+    roster: &Roster,
     scenes: &[Scene],
     plans: &[Vec<Column>],
     oracles: &[Option<Oracle>],
@@ -238,6 +244,7 @@ fn conclude(
     answers: Vec<Option<Answer>>,
 ) -> Outcome {
     let mut outcome = Outcome {
+        roster: roster.clone(),
         scenes: scenes.to_vec(),
         findings: Vec::new(),
         cases: Vec::new(),

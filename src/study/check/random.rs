@@ -5,7 +5,6 @@
 
 use super::item::FUZZ;
 use super::{Broken, Case, Level, Outcome, State, unit_of};
-use crate::engine::Setting;
 use crate::finding::Finding;
 use crate::study::matrix::Column;
 use crate::study::random::{self, Entry, Failure, Plan};
@@ -23,24 +22,25 @@ pub const RANDOM_SEED: u64 = 13;
 /// Events after which a run ends: most scenes show what they have to show early.
 const MAX_EVENTS: u64 = 200;
 
-/// Engines that promise to hold in every random scene, with the setting in which they do.
-const HOLD: [(&str, &str); 2] = [("exact", ""), ("stepper", "contact=approaching-only")];
-
 /// A column for each engine of a check that promises to hold in random scenes.
 pub fn random_plan(columns: &[Column], scenes: u64) -> Plan {
-    let column = |(id, setting): &(&str, &str)| {
-        let own = columns.iter().find(|column| column.engine.id() == *id)?;
-        let words = (!setting.is_empty()).then_some(*setting);
-        Some(Column {
-            engine: own.engine,
-            setting: Setting::parse(words).ok()?,
-        })
-    };
+    let mut sound: Vec<Column> = Vec::new();
+    for column in columns {
+        let engine = &column.engine;
+        let presets = engine.presets().into_iter().filter(|preset| preset.sound);
+        for preset in presets {
+            let column = Column::with(engine, preset.setting);
+            if sound.iter().all(|known| known.label() != column.label()) {
+                sound.push(column);
+            }
+        }
+    }
+    Column::solvers_first(&mut sound);
     Plan {
         first: 0,
         scenes,
         seed: RANDOM_SEED,
-        columns: HOLD.iter().filter_map(column).collect(),
+        columns: sound,
         max_events: MAX_EVENTS,
     }
 }

@@ -17,6 +17,7 @@ use std::collections::HashMap;
 
 const RESOLUTION: &str = "resolution";
 const REST_SPEED: &str = "rest-speed";
+const ULP: &str = "ulp";
 const SPOT: &str = "ending-spot";
 const EXTREMUM: &str = "extremum";
 const EXTREMUM_TIME: &str = "extremum-time";
@@ -51,6 +52,12 @@ pub const WRITTEN: &[Held] = &[
         "v0",
         Hold::Figure,
         "speed at which a ball is called stopped",
+    ),
+    of(
+        ULP,
+        "",
+        Hold::Count,
+        "spacing of the engine's numbers just above 1",
     ),
     of(
         SPOT,
@@ -320,10 +327,11 @@ impl Sheet<'_> {
     fn run(&mut self, trace: &Trace) {
         self.add(RESOLUTION, "", trace.provenance.resolution);
         self.add(REST_SPEED, "", trace.provenance.rest_speed / self.speed);
+        self.add(ULP, "", trace.provenance.ulp);
         if let Some(spot) = trace.ending.spot() {
             self.add(SPOT, &words(trace, spot.balls.iter().copied()), spot.time);
         }
-        let ulp = ulp_of(trace);
+        let ulp = trace.provenance.rounding();
         for (name, extremum) in extrema(trace) {
             self.add(EXTREMUM, name, in_unit(self.scene, name, extremum));
             if !is_nothing(self.scene, name, extremum, ulp) {

@@ -3,7 +3,7 @@
 use super::words::describe_span;
 use super::{Outcome, Standing};
 use crate::compare::Parting;
-use crate::engine::Setting;
+use crate::engine::{Name, Setting};
 use crate::scene::Scene;
 use crate::study::matrix::{Column, Timing, Watch, run_row};
 use crate::trace::{EventKind, Record, Trace};
@@ -21,7 +21,7 @@ pub enum Cause {
     /// With another setting the difference is gone.
     Setting {
         /// What the setting stands for.
-        what: &'static str,
+        what: Name,
         /// The setting under which the orders agree at this place.
         setting: Setting,
     },
@@ -32,7 +32,7 @@ pub enum Cause {
         /// What the engine resolves, s.
         resolution: f64,
         /// What was tried.
-        tried: Vec<&'static str>,
+        tried: Vec<Name>,
     },
 }
 
@@ -85,7 +85,7 @@ pub(super) fn find_causes(outcome: &mut Outcome, watch: Watch<'_>) {
                 causes.push(None);
                 continue;
             };
-            // a remedy that did not come to its end did not fail to cure
+            // an ablation that did not come to its end did not fail to cure
             let found =
                 watch.whole(|| cause(&outcome.scene, &entry.column, standing, reference, watch));
             outcome.extent.count(found.is_some());
@@ -130,13 +130,10 @@ fn cause(
             .collect()
     };
     let wanted = prefix(reference);
-    let remedies = column.engine.remedies(scene, &column.setting);
-    let columns: Vec<Column> = remedies
+    let ablations = column.engine.ablations(scene, &column.setting);
+    let columns: Vec<Column> = ablations
         .iter()
-        .map(|(_, setting)| Column {
-            engine: column.engine,
-            setting: setting.clone(),
-        })
+        .map(|(_, setting)| Column::with(&column.engine, setting.clone()))
         .collect();
     let silent = Watch {
         progress: &|_, _, _| {},
@@ -149,16 +146,16 @@ fn cause(
         Timing::None,
         silent,
     );
-    for ((what, setting), cell) in remedies.iter().zip(&cells) {
+    for ((what, setting), cell) in ablations.iter().zip(&cells) {
         let Ok(ran) = cell else { continue };
         if prefix(&ran.trace) == wanted {
             return Some(Cause::Setting {
-                what,
+                what: what.clone(),
                 setting: setting.clone(),
             });
         }
     }
-    let tried = remedies.into_iter().map(|(what, _)| what).collect();
+    let tried = ablations.into_iter().map(|(what, _)| what).collect();
     Some(Cause::Open {
         margin: parting.margin,
         resolution,

@@ -27,7 +27,7 @@ use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
 use crate::engine::exact::Exact;
 use crate::engine::exact::horizon::{Horizon, horizon};
-use crate::engine::{self, ENGINES, Limits, Refusal};
+use crate::engine::{Limits, Refusal, Roster};
 use crate::finding::Finding;
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
@@ -48,7 +48,7 @@ pub struct Outcome {
     pub no_reference: Option<String>,
     /// Up to which event the reference can be believed; `None` without a reference, or with one in a precision that has no finer one.
     pub horizon: Option<Horizon>,
-    /// Every pair of engines that ran, apart from the reference; the stepper and rapier first.
+    /// Every pair of engines that ran, apart from the reference; those of different families first.
     pub pairs: Vec<PairOutcome>,
     /// Every number, with its address.
     pub findings: Vec<Finding>,
@@ -101,6 +101,11 @@ impl Entry {
     pub fn label(&self) -> String {
         self.column.label()
     }
+
+    /// True for an engine that others are held against.
+    pub fn solves(&self) -> bool {
+        self.column.engine.solves()
+    }
 }
 
 impl Outcome {
@@ -133,10 +138,9 @@ impl Outcome {
             .filter(move |f| f.engine == engine && f.metric == metric)
     }
 
-    /// True where the user asked to stop before a run of this engine had come to its end.
-    pub fn was_stopped(&self, engine: &str) -> bool {
-        let own = |entry: &&Entry| entry.column.engine.id() == engine;
-        let mut own = self.entries.iter().filter(own);
+    /// True where the user asked to stop before a run of an engine that others are held against had come to its end.
+    pub fn was_stopped(&self) -> bool {
+        let mut own = self.entries.iter().filter(|entry| entry.solves());
         own.any(|entry| matches!(entry.cell, Err(Refusal::Stopped)))
     }
 
@@ -162,30 +166,19 @@ impl Outcome {
     }
 }
 
-/// The columns of a comparison when none are named: every engine, and the stepper with its approach check.
-pub fn default_columns() -> Vec<Column> {
-    let mut columns = Vec::new();
-    for engine in ENGINES {
-        columns.push(Column::of(*engine));
-        if engine.id() == "stepper" {
-            let setting = engine::Setting::default().with("contact", "approaching-only");
-            columns.push(Column {
-                engine: *engine,
-                setting,
-            });
-        }
-    }
-    columns
+/// The columns of a comparison when none are named: those of every engine that say so of themselves.
+pub fn default_columns(roster: &Roster) -> Vec<Column> {
+    Column::presets(roster, |preset| preset.compared)
 }
 
-/// The columns that run: the named ones, after the exact engine if it is not among them.
-pub fn plan(named: &[Column]) -> Vec<Column> {
+/// The columns that run: the named ones, after the reference if it is not among them.
+pub fn plan(roster: &Roster, named: &[Column]) -> Vec<Column> {
     let mut columns = named.to_vec();
-    if !columns.iter().any(|column| column.engine.id() == "exact") {
-        columns.extend(engine::find("exact").map(Column::of));
+    if !columns.iter().any(|column| column.engine.solves()) {
+        columns.extend(roster.reference().map(Column::of));
     }
     // the reference stands first
-    columns.sort_by_key(|column| column.engine.id() != "exact");
+    Column::solvers_first(&mut columns);
     columns
 }
 
@@ -279,14 +272,11 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits
 
 /// The exact engine's entry, if it reached the end that the scene asks for; else why not.
 fn reference(entries: &[Entry]) -> Result<usize, String> {
-    let exact = entries
-        .iter()
-        .position(|entry| entry.column.engine.id() == "exact");
-    let Some(index) = exact else {
+    let Some(index) = entries.iter().position(Entry::solves) else {
         return Err("the exact engine was not asked".to_owned());
     };
     match &entries[index].cell {
-        Err(refusal) => Err(format!("exact {refusal}")),
+        Err(refusal) => Err(format!("{} {refusal}", entries[index].column.engine.id())),
         Ok(ran) if ran.trace.ending.is_complete() => Ok(index),
         Ok(ran) => Err(words::describe_ending(&ran.trace)),
     }
@@ -356,8 +346,8 @@ fn in_pairs(outcome: &mut Outcome) {
     for (k, &i) in ran.iter().enumerate() {
         pairs.extend(ran[k + 1..].iter().map(|&j| (i, j)));
     }
-    // engines of different families first: the stepper against rapier
-    let family = |i: usize| outcome.entries[i].column.engine.id().split('-').next();
+    // engines of different families first
+    let family = |i: usize| outcome.entries[i].column.engine.family();
     pairs.sort_by_key(|&(i, j)| family(i) == family(j));
     for (i, j) in pairs {
         let (a, b) = (&outcome.entries[i], &outcome.entries[j]);
@@ -383,19 +373,16 @@ pub fn pair_label(a: &Entry, b: &Entry) -> String {
 }
 
 fn is_contender(outcome: &Outcome, i: usize) -> bool {
-    outcome.entries[i].cell.is_ok() && outcome.entries[i].column.engine.id() != "exact"
+    outcome.entries[i].cell.is_ok() && !outcome.entries[i].solves()
 }
 
-/// |the same engine in two precisions|, for engines that differ only in that: `NAME-f64` and `NAME-f32`, same setting.
+/// |the same engine in two precisions|, for engines of one family that have the same setting.
 fn arithmetic(outcome: &mut Outcome) {
     for k in 0..outcome.pairs.len() {
         let (i, j) = outcome.pairs[k].entries;
         let (a, b) = (&outcome.entries[i].column, &outcome.entries[j].column);
-        let stem = |column: &Column| {
-            let id = column.engine.id();
-            id.strip_suffix("-f64").or_else(|| id.strip_suffix("-f32"))
-        };
-        if stem(a).is_some() && stem(a) == stem(b) && a.setting == b.setting {
+        let twins = a.engine.family() == b.engine.family() && a.engine.id() != b.engine.id();
+        if twins && a.setting == b.setting {
             let apart = outcome.pairs[k].standing.final_position;
             outcome.pairs[k].standing.attribution.arithmetic = apart;
             for index in [i, j] {
@@ -415,9 +402,7 @@ fn model_error(
     cells: &[Cell],
     watch: Watch<'_>,
 ) -> Option<f64> {
-    let exact = columns
-        .iter()
-        .position(|column| column.engine.id() == "exact")?;
+    let exact = columns.iter().position(|column| column.engine.solves())?;
     let complete = |ran: &Ran| matches!(ran.trace.ending, Ending::Rest | Ending::Duration);
     let ours = cells[exact].as_ref().ok().filter(|ran| complete(ran))?;
     let cells = matrix::run_row(

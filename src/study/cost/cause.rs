@@ -3,6 +3,7 @@
 
 use super::verdict::{Kind, in_order, median};
 use super::{Errors, Level, Measured, Outcome, Point, Quantity, Runs};
+use crate::engine::{Knob, KnobRole};
 use crate::math::statistics::Distribution;
 use crate::study::Column;
 use serde_json::Value;
@@ -19,9 +20,6 @@ const STARTS: usize = 2;
 
 /// A run for this search may take this much longer than the family's own finest one.
 const LONGER: f64 = 4.0;
-
-/// Keys that stand for others and have no effect of their own.
-const STANDS_FOR_OTHERS: [&str; 1] = ["preset"];
 
 /// What was found about a family whose errors do not fall.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,22 +129,17 @@ fn first_starts(point: &Point) -> Vec<Errors> {
 /// The level to take parameters from: of the families of the engine that converge, or of its other precision if none does, the one
 /// with the smallest error, as fine as a search may take.
 fn model<'a>(outcome: &'a Outcome, measured: &Measured, finest: &Point) -> Option<&'a Point> {
-    let id = measured.family.given.engine.id();
+    let engine = &measured.family.given.engine;
     // an engine in two precisions has one set of parameters
-    let stem = |id: &'static str| {
-        id.strip_suffix("-f32")
-            .or(id.strip_suffix("-f64"))
-            .unwrap_or(id)
-    };
     let others = outcome.families.iter().filter(|other| {
-        stem(other.family.given.engine.id()) == stem(id)
+        other.family.given.engine.family() == engine.family()
             && other
                 .verdict
                 .is_some_and(|verdict| verdict.kind == Kind::Converging)
     });
     let rank = |m: &Measured| {
         let error = m.verdict.and_then(|v| v.finest).unwrap_or(f64::INFINITY);
-        (m.family.given.engine.id() != id, error)
+        (m.family.given.engine.id() != engine.id(), error)
     };
     let best = others.min_by(|a, b| {
         let (a, b) = (rank(a), rank(b));
@@ -165,13 +158,19 @@ struct Change {
 
 fn differing(measured: &Measured, finest: &Point, model: &Point) -> Vec<Change> {
     let own = &finest.parameters;
+    let engine = &finest.level.column.engine;
+    let knobs = engine.knobs();
+    let stands_for_others = |key: &String| {
+        let is_preset = |knob: &Knob| knob.key == *key && knob.role == KnobRole::Preset;
+        knobs.iter().any(is_preset)
+    };
     let mut changes = Vec::new();
     for (knob, theirs) in &model.parameters {
         let swept = measured.family.knob.as_ref() == Some(knob);
         let Some(ours) = own.get(knob).filter(|ours| *ours != theirs && !swept) else {
             continue;
         };
-        if STANDS_FOR_OTHERS.contains(&knob.as_str()) {
+        if stands_for_others(knob) {
             continue;
         }
         let setting = finest
@@ -184,16 +183,12 @@ fn differing(measured: &Measured, finest: &Point, model: &Point) -> Vec<Change> 
             knob: knob.clone(),
             values: [plain(ours), plain(theirs)],
             level: Level {
-                column: Column {
-                    setting,
-                    ..finest.level.column.clone()
+                // the step is the one parameter that changes where the starts are
+                pace: match engine.step(&setting) {
+                    Some(step) if step != finest.level.pace.step => model.level.pace,
+                    _ => finest.level.pace,
                 },
-                // dt is the one parameter that changes where the starts are
-                pace: if knob == "dt" {
-                    model.level.pace
-                } else {
-                    finest.level.pace
-                },
+                column: Column::with(engine, setting),
                 phases: STARTS,
                 size: None,
             },
@@ -206,13 +201,17 @@ fn differing(measured: &Measured, finest: &Point, model: &Point) -> Vec<Change> 
 fn other_precision(outcome: &Outcome, measured: &Measured) -> Option<(String, f64)> {
     let point = measured.points.last()?;
     let error = median(point, Quantity::FinalPosition)?;
-    let id = point.level.column.engine.id();
-    let stem = id.strip_suffix("-f32")?;
+    let own = &point.level.column;
     let points = outcome.families.iter().flat_map(|other| &other.points);
     let mut twins = points.filter(|twin| {
         let column = &twin.level.column;
-        column.engine.id().strip_suffix("-f64") == Some(stem)
-            && column.setting == point.level.column.setting
+        let (ours, theirs) = (
+            own.engine.ulp(&own.setting),
+            column.engine.ulp(&column.setting),
+        );
+        column.engine.family() == own.engine.family()
+            && column.setting == own.setting
+            && theirs < ours
     });
     let twin = twins.next()?;
     let other = median(twin, Quantity::FinalPosition)?;

@@ -31,11 +31,12 @@ use super::compare::{default_columns, describe_ending};
 use super::matrix::{self, Column, Effort, Job, Timed, Watch};
 use crate::engine::exact::horizon::horizon;
 use crate::engine::exact::{Exact, Precision};
-use crate::engine::{Limits, Setting};
+use crate::engine::{Engine, Limits, Roster};
 use crate::math::statistics::Distribution;
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
 use std::collections::HashMap;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Everything that a study of cost found.
@@ -156,15 +157,19 @@ struct Start {
 
 /// What the oracle runs in: more digits than any engine of the study but itself.
 fn oracle_column() -> Column {
-    Column {
-        engine: &Exact,
-        setting: Setting::default().with("precision", Precision::F256.id()),
-    }
+    let exact: Arc<dyn Engine> = Arc::new(Exact);
+    Column::with(&exact, Exact::in_precision(Precision::F256))
 }
 
 /// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine. One that refuses its
 /// setting is a family without levels that says why.
-pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> Outcome {
+pub fn study(
+    roster: &Roster,
+    scene: &Scene,
+    named: &[Column],
+    grid: Grid,
+    watch: Watch<'_>,
+) -> Outcome {
     let mut scene = scene.clone();
     let believed = watch.whole(|| believed(&scene, watch));
     let certain_until = believed.flatten();
@@ -188,7 +193,7 @@ pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> O
             None,
             Some("the exact run was stopped before its end".to_owned()),
         ),
-        Some(Err(refusal)) => (None, Some(format!("exact {refusal}"))),
+        Some(Err(refusal)) => (None, Some(format!("{} {refusal}", Exact.id()))),
         Some(Ok(trace)) if trace.ending.is_complete() => (Some(trace), None),
         Some(Ok(trace)) => {
             let why = describe_ending(&trace);
@@ -197,13 +202,13 @@ pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> O
     };
     let simulated = match (&base, &no_oracle) {
         (Some(trace), None) => trace.end_time,
-        _ => longest(&scene, watch),
+        _ => longest(roster, &scene, watch),
     };
     let closest_hits = match &no_oracle {
         None => base.as_ref().and_then(words::closest_hits),
         Some(_) => None,
     };
-    let families = plan::families(&scene, named, grid, simulated);
+    let families = plan::families(roster, &scene, named, grid, simulated);
     let mut outcome = Outcome {
         grid,
         named: named.to_vec(),
@@ -235,13 +240,13 @@ pub fn study(scene: &Scene, named: &[Column], grid: Grid, watch: Watch<'_>) -> O
 }
 
 /// Simulated time until the last of the default engines comes to its end, s: what a shot takes where the oracle does not know.
-fn longest(scene: &Scene, watch: Watch<'_>) -> f64 {
+fn longest(roster: &Roster, scene: &Scene, watch: Watch<'_>) -> f64 {
     let job = |column| Job {
         scene,
         column,
         weight: 1.0,
     };
-    let jobs: Vec<Job<'_>> = default_columns().into_iter().map(job).collect();
+    let jobs: Vec<Job<'_>> = default_columns(roster).into_iter().map(job).collect();
     let ends = matrix::run_jobs(
         &jobs,
         Record::Final,

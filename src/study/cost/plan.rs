@@ -5,7 +5,7 @@
 //! together; hits of a rack that follow each other within some steps keep their places relative to each other, and with them part of
 //! the saw-tooth.
 
-use crate::engine::{self, ENGINES, Pace, Refusal, Setting};
+use crate::engine::{self, Name, Pace, Refusal, Roster, Setting};
 use crate::scene::Scene;
 use crate::study::Column;
 use crate::trace::Trace;
@@ -81,7 +81,7 @@ pub const TIMING_RUNS: f64 = 3.0;
 #[derive(Clone, Debug)]
 pub struct Family {
     /// Name of the ladder.
-    pub name: &'static str,
+    pub name: Name,
     /// The key that is refined; `None` if more than one differs.
     pub knob: Option<String>,
     /// From coarse to fine; all of one engine.
@@ -123,7 +123,7 @@ impl Family {
     /// What stands for an engine that refuses what was set for it, whatever the ladder.
     fn refused(column: &Column, refusal: Refusal) -> Family {
         Family {
-            name: "any",
+            name: "any".into(),
             knob: None,
             levels: Vec::new(),
             left_out: Vec::new(),
@@ -150,14 +150,22 @@ impl Level {
 /// The families of every column, or of every engine if none is named. What a column sets is the same at every level.
 ///
 /// `until`: simulated time of the scene, s.
-pub fn families(scene: &Scene, named: &[Column], grid: Grid, until: f64) -> Vec<Family> {
-    let all: Vec<Column> = ENGINES.iter().map(|engine| Column::of(*engine)).collect();
+pub fn families(
+    roster: &Roster,
+    scene: &Scene,
+    named: &[Column],
+    grid: Grid,
+    until: f64,
+) -> Vec<Family> {
+    let all: Vec<Column> = roster.iter().map(Column::of).collect();
     let columns = if named.is_empty() { &all } else { named };
     let budget = grid.budget();
     let mut families: Vec<Family> = Vec::new();
     let mut deep = 0.0;
     for column in columns {
-        if let Err(refusal) = column.engine.pace(scene, &column.setting) {
+        let ready = column.engine.prepare(scene, &column.setting);
+        // what it lacks is said of each ladder
+        if let Err(refusal @ Refusal::Setting { .. }) = ready {
             families.push(Family::refused(column, refusal));
             continue;
         }
@@ -200,7 +208,7 @@ fn over(ladder: Setting, given: &Setting) -> Setting {
 fn family(
     scene: &Scene,
     column: &Column,
-    name: &'static str,
+    name: Name,
     settings: Vec<Setting>,
     budget: &Budget,
     until: f64,
@@ -218,7 +226,7 @@ fn family(
     for (k, setting) in settings.into_iter().enumerate() {
         // what cannot be prepared at all says so at its coarsest level
         let ready = match k {
-            0 => engine::prepare(column.engine, scene, &setting).map(|_| ()),
+            0 => engine::prepare(column.engine.as_ref(), scene, &setting).map(|_| ()),
             _ => Ok(()),
         };
         let pace = match ready.and_then(|()| column.engine.pace(scene, &setting)) {
@@ -235,10 +243,7 @@ fn family(
             1
         };
         family.levels.push(Level {
-            column: Column {
-                engine: column.engine,
-                setting,
-            },
+            column: Column::with(&column.engine, setting),
             size: values.as_ref().map(|values| values[k]),
             pace,
             phases,

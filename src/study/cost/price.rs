@@ -31,7 +31,7 @@ pub struct Offer<'a> {
 
 impl Offer<'_> {
     /// The engine's id.
-    pub fn engine(&self) -> &'static str {
+    pub fn engine(&self) -> &str {
         self.point.level.column.engine.id()
     }
 }

@@ -66,7 +66,7 @@ pub fn sentence(outcome: &Outcome) -> String {
 }
 
 /// The engines of the study, each once.
-pub fn engines(outcome: &Outcome) -> Vec<&'static str> {
+pub fn engines(outcome: &Outcome) -> Vec<&str> {
     let mut engines = Vec::new();
     for measured in &outcome.families {
         let id = measured.family.given.engine.id();

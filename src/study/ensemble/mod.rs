@@ -71,7 +71,7 @@ pub enum EnsembleError {
         most: usize,
     },
     /// There is nothing to run it in.
-    #[error("an ensemble needs an engine, such as exact")]
+    #[error("an ensemble needs an engine")]
     NoEngine,
 }
 
@@ -143,10 +143,10 @@ impl Entry {
     }
 }
 
-/// The engines in which an ensemble runs: the exact ones first, otherwise as named.
+/// The engines in which an ensemble runs: those that solve first, otherwise as named.
 pub fn plan_columns(named: &[Column]) -> Vec<Column> {
     let mut columns = named.to_vec();
-    columns.sort_by_key(|column| column.engine.id() != "exact");
+    Column::solvers_first(&mut columns);
     columns
 }
 

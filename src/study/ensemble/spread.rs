@@ -3,7 +3,6 @@
 
 use super::page::short;
 use super::{Outcome, Plan, study};
-use crate::engine;
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::math::statistics::Distribution;
 use crate::physics::State;
@@ -23,7 +22,8 @@ const ALIKE: f64 = 0.02;
 /// What a comparison says of a scene that asks for an ensemble, and whether that was done; nothing for any other scene.
 pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block>, Extent) {
     let scene = &compared.scene;
-    let exact = engine::find("exact").map(matrix::Column::of);
+    let mut references = compared.entries.iter().filter(|entry| entry.solves());
+    let exact = references.next().map(|entry| &entry.column.engine);
     let (Simultaneous::Ensemble, Some(exact)) = (scene.simultaneous, exact) else {
         return (Vec::new(), Extent::default());
     };
@@ -32,7 +32,7 @@ pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block
         law: Law::default_for(scene),
         samples: SAMPLES,
         seed: SEED,
-        columns: vec![exact],
+        columns: vec![matrix::Column::of(exact)],
     };
     let Some(found) = watch.whole(|| study(plan, watch)) else {
         return (Vec::new(), Extent::of(0, 1));
@@ -63,10 +63,11 @@ fn blocks(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<Block> {
     };
     let complete = exact.complete().count();
     let mut text = format!(
-        "The scene asks for an ensemble: {}; {} samples in exact, seed {SEED}, of which {complete} are complete and have {} \
+        "The scene asks for an ensemble: {}; {} samples in {}, seed {SEED}, of which {complete} are complete and have {} \
          different collision orders.",
         ensemble.law.join("; "),
         ensemble.done,
+        exact.label(),
         exact.orders
     );
     for (label, places) in answers(compared, ensemble) {
@@ -80,8 +81,9 @@ fn blocks(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<Block> {
         Block::Text(text),
         Block::Table(table(compared, ensemble)),
         Block::Command(format!(
-            "carom ensemble {} --samples {SAMPLES} --seed {SEED} --engines exact",
-            compared.scene.name
+            "carom ensemble {} --samples {SAMPLES} --seed {SEED} --engines {}",
+            compared.scene.name,
+            exact.label()
         )),
     ]
 }
@@ -124,7 +126,7 @@ fn answers(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<(String, Vec<
     let mut answers = Vec::new();
     for entry in &compared.entries {
         let complete = entry.trace().filter(|trace| trace.ending.is_complete());
-        let Some(trace) = complete.filter(|_| entry.column.engine.id() != "exact") else {
+        let Some(trace) = complete.filter(|_| !entry.solves()) else {
             continue;
         };
         let place = |(ball, state): (usize, Option<State>)| {

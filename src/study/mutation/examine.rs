@@ -1,7 +1,7 @@
 //! What must hold of everything that is read, whatever it is: no panic, an error that says where and what, and what is accepted is
 //! written as text that reads back as the same.
 
-use crate::engine::{self, Refusal};
+use crate::engine::{self, Refusal, Roster};
 use crate::law::Fault;
 use crate::scene::generate::{Recipe, generate};
 use crate::scene::{Diagnostics, Scene, SceneError, parse_bytes, rewritten};
@@ -127,15 +127,15 @@ pub fn trace_files(texts: &Files) -> Examined {
 }
 
 /// A list of engines with settings, as after `--engines`.
-pub fn engine_list(list: &str, scene: &Scene) -> Examined {
-    let columns = match Column::list(list) {
+pub fn engine_list(roster: &Roster, list: &str, scene: &Scene) -> Examined {
+    let columns = match Column::list(roster, list) {
         Ok(columns) => columns,
         Err(words) if words.trim().is_empty() => return Err(fault("no-words", list)),
         Err(_) => return Ok(false),
     };
     let labels: Vec<String> = columns.iter().map(Column::label).collect();
     let again = labels.join(",").replace(' ', ":");
-    match Column::list(&again) {
+    match Column::list(roster, &again) {
         Ok(read) if read.iter().map(Column::label).eq(labels) => {}
         // a value may hold what separates settings in a label
         _ if list.contains(char::is_whitespace) => {}
@@ -143,7 +143,7 @@ pub fn engine_list(list: &str, scene: &Scene) -> Examined {
     }
     let mut accepted = true;
     for column in &columns {
-        match engine::prepare(column.engine, scene, &column.setting) {
+        match engine::prepare(column.engine.as_ref(), scene, &column.setting) {
             Ok(_) => {}
             Err(Refusal::Audit { differs }) => return Err(fault("audit", differs.join("; "))),
             Err(refusal) if refusal.to_string().is_empty() => {

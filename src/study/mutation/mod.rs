@@ -13,7 +13,7 @@ pub use page::summary;
 
 use super::matrix::{self, Column, Watch};
 use super::random::caught;
-use crate::engine::Limits;
+use crate::engine::{Knob, KnobRole, Limits, Roster, Setting};
 use crate::law::Fault;
 use crate::math::random::Draws;
 use crate::scene::adversarial::adversarial;
@@ -30,14 +30,11 @@ const KEPT: usize = 1000;
 /// Random scenes among the examples.
 const EXAMPLES: u64 = 100;
 
-/// Catalogue scenes whose traces are examples, and the engine: small ones, with every kind of event among them.
-const TRACED: [(&str, &str); 5] = [
-    ("head-on", "exact"),
-    ("head-on", "stepper:dt=0.01"),
-    ("bank-side", "exact"),
-    ("bank-side", "stepper:dt=0.01"),
-    ("ladder-pockets", "exact"),
-];
+/// Catalogue scenes whose traces are examples: small ones, with every kind of event among them.
+const TRACED: [&str; 3] = ["head-on", "bank-side", "ladder-pockets"];
+
+/// Step of the traces of an engine that steps, s: some hundred knots.
+const STEP: f64 = 0.01;
 
 /// What reads an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,38 +87,87 @@ pub enum Input {
 pub struct Examples {
     scenes: Vec<Vec<u8>>,
     traces: Vec<Files>,
+    lists: Vec<String>,
+    /// Words that mean something in a list of engines.
+    names: Vec<String>,
+    roster: Roster,
     /// The scene for which settings are read.
     scene: Scene,
 }
 
-const LISTS: [&str; 6] = [
-    "stepper,stepper:contact=approaching-only,rapier-f64:preset=stock",
-    "exact:precision=dd",
-    "exact:precision=auto:partners=cells,stepper:dt=1e-4",
-    "stepper:contact=as-written:launch=contact-time:dt=0.003",
-    "rapier-f32:preset=converging:dt=1e-3",
-    "rapier-f64:preset=stock:dt=1e-3,rapier-f32",
-];
+/// Lists of engines: every preset, the finest setting of each ladder, and each engine with the last word of all its choices.
+fn lists(roster: &Roster) -> Vec<String> {
+    let presets = Column::presets(roster, |_| true);
+    let mut lists = vec![specs(&presets)];
+    for engine in roster {
+        let ladders = engine.ladders().into_iter();
+        let finest = ladders.filter_map(|(_, settings)| settings.into_iter().next_back());
+        lists.extend(finest.map(|setting| Column::with(engine, setting).spec()));
+        let last = |setting: Setting, knob: Knob| match knob.choices.last() {
+            Some(word) => setting.with(&knob.key, word),
+            None => setting,
+        };
+        let chosen = engine.knobs().into_iter().fold(Setting::default(), last);
+        let with_all = [Column::with(engine, chosen), Column::of(engine)];
+        lists.push(specs(&with_all[..]));
+    }
+    lists
+}
+
+fn specs(columns: &[Column]) -> String {
+    let specs: Vec<String> = columns.iter().map(Column::spec).collect();
+    specs.join(",")
+}
+
+/// Ids of engines, and the keys of steps and choices as they begin a setting.
+fn names(roster: &Roster) -> Vec<String> {
+    let mut names = Vec::new();
+    for engine in roster {
+        names.push(engine.id().to_owned());
+        for knob in engine.knobs() {
+            let name = format!("{}=", knob.key);
+            let telling = knob.role == KnobRole::Step || !knob.choices.is_empty();
+            if telling && !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    names
+}
+
+/// The engines whose traces are examples: the reference, and the first that steps, with a step that leaves few knots.
+fn traced(roster: &Roster) -> Vec<Column> {
+    let reference = roster.reference().map(Column::of);
+    let stepping = roster.iter().find_map(|engine| {
+        let setting = engine.with_step(&Setting::default(), STEP)?;
+        Some(Column::with(engine, setting))
+    });
+    reference.into_iter().chain(stepping).collect()
+}
 
 impl Examples {
     /// The examples; `None` only where a catalogue scene or its trace cannot be had.
-    pub fn new() -> Option<Self> {
+    pub fn new(roster: &Roster) -> Option<Self> {
         let written = catalogue::all()
             .iter()
             .map(|entry| entry.text.as_bytes().to_vec());
         let random = (0..EXAMPLES).filter_map(|index| adversarial(1, index).text().ok());
         let mut traces = Vec::new();
-        for (name, list) in TRACED {
+        for name in TRACED {
             let scene = catalogue::scene(name).ok()?;
-            let column = Column::list(list).ok()?.pop()?;
-            // a cadence longer than the run: with certainty, where an engine states it, and without further samples
-            let record = Record::Every(scene.duration);
-            let trace = matrix::run_one(&scene, &column, record, &Limits::NONE).ok()?;
-            traces.push(files::write(&trace).ok()?);
+            for column in traced(roster) {
+                // a cadence longer than the run: with certainty, where an engine states it, and without further samples
+                let record = Record::Every(scene.duration);
+                let trace = matrix::run_one(&scene, &column, record, &Limits::NONE).ok()?;
+                traces.push(files::write(&trace).ok()?);
+            }
         }
         Some(Examples {
             scenes: written.chain(random.map(String::into_bytes)).collect(),
             traces,
+            lists: lists(roster),
+            names: names(roster),
+            roster: roster.clone(),
             scene: catalogue::scene("head-on").ok()?,
         })
     }
@@ -138,7 +184,7 @@ impl Examples {
         match index % 10 {
             0..=4 => {
                 let mut bytes = self.scenes[below(draws, self.scenes.len())].clone();
-                (0..times).for_each(|_| mutate(&mut bytes, draws));
+                (0..times).for_each(|_| mutate(&mut bytes, draws, &self.names));
                 (Reader::Scene, Input::Scene(bytes))
             }
             5..=7 => {
@@ -151,14 +197,16 @@ impl Examples {
                         _ => &mut texts.run,
                     };
                     let mut bytes = std::mem::take(text).into_bytes();
-                    mutate(&mut bytes, draws);
+                    mutate(&mut bytes, draws, &self.names);
                     *text = String::from_utf8_lossy(&bytes).into_owned();
                 }
                 (Reader::Trace, Input::Trace(Box::new(texts)))
             }
             8 => {
-                let mut bytes = LISTS[below(draws, LISTS.len())].as_bytes().to_vec();
-                (0..times.div_ceil(2)).for_each(|_| mutate(&mut bytes, draws));
+                let mut bytes = self.lists[below(draws, self.lists.len())]
+                    .as_bytes()
+                    .to_vec();
+                (0..times.div_ceil(2)).for_each(|_| mutate(&mut bytes, draws, &self.names));
                 let list = String::from_utf8_lossy(&bytes).into_owned();
                 (Reader::Engines, Input::Engines(list))
             }
@@ -171,7 +219,7 @@ impl Examples {
         match input {
             Input::Scene(bytes) => scene_file(bytes),
             Input::Trace(texts) => trace_files(texts),
-            Input::Engines(list) => engine_list(list, &self.scene),
+            Input::Engines(list) => engine_list(&self.roster, list, &self.scene),
             Input::Recipe(arguments) => recipe(arguments),
         }
     }

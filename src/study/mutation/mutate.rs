@@ -84,11 +84,6 @@ const WORDS: &[&str] = &[
     "spin-end",
     "rest",
     "\"spot\": null",
-    "exact",
-    "stepper",
-    "dt=",
-    "contact=",
-    "precision=",
     "",
 ];
 
@@ -97,19 +92,23 @@ pub(super) fn below(draws: &mut Draws, n: usize) -> usize {
     (draws.uniform() * n as f64) as usize
 }
 
-/// Damages a text once.
-pub fn mutate(bytes: &mut Vec<u8>, draws: &mut Draws) {
+/// Damages a text once. `names`: words that mean something to its reader, besides those of every format.
+pub fn mutate(bytes: &mut Vec<u8>, draws: &mut Draws, names: &[String]) {
     if bytes.is_empty() {
         bytes.push(b'\n');
     }
     let at = below(draws, bytes.len());
     let end = (at + below(draws, 12)).min(bytes.len());
-    let word = WORDS[below(draws, WORDS.len())].bytes();
+    let drawn = below(draws, WORDS.len() + names.len());
+    let word = match WORDS.get(drawn) {
+        Some(word) => word.as_bytes(),
+        None => names[drawn - WORDS.len()].as_bytes(),
+    };
     match below(draws, 8) {
         0 => bytes[at] = draws.bits() as u8,
         1 => drop(bytes.drain(at..end)),
-        2 => drop(bytes.splice(at..at, word)),
-        3 | 4 => replace_number(bytes, at, word.collect()),
+        2 => drop(bytes.splice(at..at, word.iter().copied())),
+        3 | 4 => replace_number(bytes, at, word.to_vec()),
         5 => {
             let piece = bytes[at..end].to_vec();
             let to = below(draws, bytes.len());

@@ -2,17 +2,17 @@
 
 use super::evidence::{Evidence, Judgement, Place};
 use super::oracle::{Allowance, Oracle};
-use super::plan::{MOST_EVENTS, Planned};
+use super::plan::{MOST_STATES, Planned};
 use super::rules::{RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
-use crate::engine::{Refusal, Role};
+use crate::engine::Refusal;
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
 use crate::law::{Law, Reads, mirror, relabelling, time_reversal};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::{TABLE_CAPTION, table_picture};
 use crate::study::matrix::{Column, Ran, Runner};
-use crate::trace::{Ending, Record, Trace};
+use crate::trace::{Counter, Ending, Record, Trace};
 
 /// The finding that is the verdict of a run.
 pub const VERDICT: &str = "verdict";
@@ -133,7 +133,7 @@ pub fn run(
     runner: Runner<'_>,
 ) -> Judged {
     let steps = super::plan::step_of(&planned.column).is_some();
-    let events = planned.work <= MOST_EVENTS;
+    let events = planned.states <= MOST_STATES;
     let record = match (events, steps) {
         (false, _) => Record::Final,
         (true, false) => Record::Events,
@@ -185,7 +185,7 @@ pub fn examine(
     let evidence = Evidence {
         scene,
         promises: &promises,
-        allowance: allowance(&ran),
+        allowance: allowance(column, &ran),
         oracle,
         comparison: comparison(scene, &ran, oracle, events),
         trace: &ran.trace,
@@ -239,18 +239,12 @@ pub fn judge(evidence: &Evidence<'_>) -> Judged {
     judged
 }
 
-/// What an error of a run may come from. The scalar is the one that the engine names on its sheet.
-fn allowance(ran: &Ran) -> Allowance {
-    let scalar = ran.sheet.iter().find(|p| p.role == Role::Precision);
-    let single = scalar.is_some_and(|p| p.value == "f32");
+/// What an error of a run may come from. The scalar is the engine's by its own word: a run that says another is allowed no more.
+fn allowance(column: &Column, ran: &Ran) -> Allowance {
     Allowance {
         dt: ran.trace.provenance.resolution,
-        steps: ran.trace.counters.get("steps").copied().unwrap_or(0),
-        ulp: if single {
-            f64::from(f32::EPSILON)
-        } else {
-            f64::EPSILON
-        },
+        steps: ran.trace.count(Counter::Steps).unwrap_or(0),
+        ulp: column.engine.ulp(&column.setting).max(f64::EPSILON),
     }
 }
 
@@ -263,8 +257,8 @@ fn comparison<'a>(
 ) -> Option<Comparison<'a>> {
     let oracle = oracle?;
     let (ours, theirs) = (&ran.trace.provenance, &oracle.trace.provenance);
-    let itself = ours.engine == theirs.engine
-        && ours.parameters.get("precision").and_then(|p| p.as_str()) == Some("f64");
+    // the oracle is the exact engine in f64
+    let itself = ours.engine == theirs.engine && ours.ulp == f64::EPSILON;
     (events && !itself)
         .then(|| Comparison::new(scene, &ran.trace, &oracle.trace).up_to(oracle.until))
 }

@@ -53,7 +53,7 @@ pub fn steps(outcome: &Outcome) -> Option<Figure> {
         let mut cases = outcome.cases.iter();
         let case = cases.find(|case| case.planned.column.label() == label);
         let label = case.map_or(label, heading);
-        names.extend(STEPS.map(|step| format!("{label} {step} s")));
+        names.extend(STEPS.map(|step| format!("{label} {step:e} s")));
     }
     picture(
         outcome,

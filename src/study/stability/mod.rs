@@ -24,8 +24,8 @@ pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
 pub use rules::{RULES, Rule, rule};
 
 use super::matrix::{Column, Task, Watch, run_tasks};
-use crate::engine::Engine;
 use crate::engine::exact::Exact;
+use crate::engine::{Engine, Roster};
 use crate::finding::{Finding, Hold, Tolerance, Verdict};
 use crate::scene::Scene;
 
@@ -35,6 +35,8 @@ const MOST_EVENTS: u64 = 1_000_000;
 /// What is run.
 #[derive(Clone, Debug)]
 pub struct Question {
+    /// The engines of which scenes may ask something.
+    pub roster: Roster,
     /// The hard cases.
     pub scenes: Vec<Scene>,
     /// The engines and presets in which every case runs.
@@ -76,6 +78,7 @@ pub fn study(question: Question, watch: Watch<'_>) -> Result<Outcome, PlanError>
             index,
             scene,
             oracles[index].as_ref(),
+            &question.roster,
             &question.presets,
         )?);
     }
@@ -85,7 +88,7 @@ pub fn study(question: Question, watch: Watch<'_>) -> Result<Outcome, PlanError>
     let tasks: Vec<Task> = runs
         .iter()
         .map(|&i| Task {
-            cost: plan::cost(&planned[i]),
+            cost: planned[i].time,
             label: format!(
                 "{} in {}",
                 question.scenes[planned[i].scene].name,

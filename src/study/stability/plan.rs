@@ -1,27 +1,25 @@
 //! Which runs a matrix of hard cases needs: presets, steps from coarse to fine, what a scene asks for; and which cost too much.
 
 use super::oracle::Oracle;
-use crate::engine::{self, ENGINES, Setting};
+use crate::engine::{Roster, Setting};
 use crate::scene::Scene;
 use crate::study::matrix::Column;
 use crate::trace::Ending;
 use thiserror::Error;
 
-/// Steps in which every stepping engine runs besides its own, s, as written in a setting.
-pub const STEPS: [&str; 6] = ["1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1"];
+/// Steps in which every stepping engine runs besides its own, s.
+pub const STEPS: [f64; 6] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
-/// Work of one run above which a step or a tried setting is left to `--full`, steps x balls.
-///
-/// A step of rapier with one ball more costs some microseconds, one of the stepper some nanoseconds: both bounds are about a tenth of
-/// a second a run.
-const MOST_WORK: [(&str, f64); 2] = [("rapier", 4e4), ("stepper", 1e7)];
+/// Expected time of one run above which a step or a tried setting is left to `--full`, ns: a case has four images, each engine a dozen
+/// settings, and a person waits for all of them.
+const MOST_TIME: f64 = 0.1e9;
 
-/// Work of one run above which not even `--full` runs it: a minute for rapier, some seconds for the stepper, whose trace of a pair
-/// that sticks grows by four states a step.
-const OUT_OF_REACH: [(&str, f64); 2] = [("rapier", 2e7), ("stepper", 3e8)];
+/// Expected time of one run above which not even `--full` runs it, ns.
+const OUT_OF_REACH: f64 = 60e9;
 
-/// Work of one run above which its events are not kept, steps x balls: only its end is looked at.
-pub const MOST_EVENTS: f64 = 3e6;
+/// States of one run above which its events are not kept, steps x balls: only its end is looked at. A pair that sticks leaves four
+/// states a step.
+pub const MOST_STATES: f64 = 3e6;
 
 /// Why a column is in the matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,8 +52,10 @@ pub struct Planned {
     pub column: Column,
     /// Why it is here.
     pub role: Role,
-    /// Steps x balls of one run; events expected x balls for an engine without steps.
-    pub work: f64,
+    /// States that one run goes through: steps x balls; events expected x balls for an engine without steps.
+    pub states: f64,
+    /// Expected time of one run, ns, by [`crate::engine::Engine::pace`]; 0 where the engine refuses the setting.
+    pub time: f64,
     /// Whether it runs.
     pub reach: Reach,
 }
@@ -77,31 +77,18 @@ pub enum PlanError {
 }
 
 /// The engines and presets in which every case runs when none are named.
-pub fn presets() -> Vec<Column> {
-    let mut columns = Vec::new();
-    for engine in ENGINES {
-        columns.push(Column::of(*engine));
-        let variant = match engine.id() {
-            "stepper" => Some(("contact", "approaching-only")),
-            "exact" => None,
-            _ => Some(("preset", "stock")),
-        };
-        columns.extend(variant.map(|(key, value)| Column {
-            engine: *engine,
-            setting: Setting::default().with(key, value),
-        }));
-    }
-    columns
+pub fn presets(roster: &Roster) -> Vec<Column> {
+    Column::presets(roster, |_| true)
 }
 
-/// True where a step can be set for a preset: it has one, and the setting does not fix it or the defaults around it.
+/// True where a step can be set for a column: its engine has one, and neither the preset that it extends nor what is set besides
+/// fixes it.
 pub fn is_swept(column: &Column) -> bool {
-    let steps = column.engine.knobs().iter().any(|knob| knob.key == "dt");
-    let fixed = ["dt", "preset"];
-    steps
-        && !fixed
-            .iter()
-            .any(|key| column.setting.values.contains_key(*key))
+    let Some(swept) = column.engine.with_step(&column.setting, STEPS[0]) else {
+        return false;
+    };
+    swept.besides(&column.setting).is_some()
+        && column.preset().is_none_or(|(preset, _)| preset.swept)
 }
 
 /// The cells of one scene.
@@ -109,6 +96,7 @@ pub fn cells(
     index: usize,
     scene: &Scene,
     oracle: Option<&Oracle>,
+    roster: &Roster,
     presets: &[Column],
 ) -> Result<Vec<Planned>, PlanError> {
     let end = end_time(scene, oracle);
@@ -120,16 +108,20 @@ pub fn cells(
         {
             return;
         }
-        let work = work(&column, end, scene, oracle);
+        let pace = column.engine.pace(scene, &column.setting);
+        let time = pace.as_ref().map_or(0.0, |pace| pace.cost * end);
         let reach = match role {
             Role::Preset => Reach::Always,
-            Role::Step(..) | Role::Tried => reach(column.engine.id(), work),
+            // what it cannot step by is not for want of time
+            Role::Step(..) if pace.is_err() => Reach::Never,
+            Role::Step(..) | Role::Tried => reach(time),
         };
         cells.push(Planned {
             scene: index,
+            states: states(&column, end, scene, oracle),
             column,
             role,
-            work,
+            time,
             reach,
         });
     };
@@ -141,20 +133,18 @@ pub fn cells(
         .enumerate()
         .filter(|(_, preset)| is_swept(preset))
     {
-        for (s, step) in STEPS.iter().enumerate() {
+        for (s, step) in STEPS.into_iter().enumerate() {
             // a preset's own step has run already
-            if default_step(preset) == step.parse().ok() {
+            if step_of(preset) == Some(step) {
                 continue;
             }
-            let column = Column {
-                engine: preset.engine,
-                setting: preset.setting.clone().with("dt", step),
-            };
-            add(column, Role::Step(p, s));
+            if let Some(setting) = preset.engine.with_step(&preset.setting, step) {
+                add(Column::with(&preset.engine, setting), Role::Step(p, s));
+            }
         }
     }
     for text in &scene.try_settings {
-        let column = tried(scene, text)?;
+        let column = tried(roster, scene, text)?;
         if presets
             .iter()
             .any(|preset| preset.engine.id() == column.engine.id())
@@ -166,14 +156,23 @@ pub fn cells(
 }
 
 /// Whether a run of a scene with this label is in the matrix of every preset; `None` where no matrix has it.
-pub fn reach_of(scene: &Scene, oracle: Option<&Oracle>, label: &str) -> Option<Reach> {
-    let planned = cells(0, scene, oracle, &presets()).ok()?;
+pub fn reach_of(
+    roster: &Roster,
+    scene: &Scene,
+    oracle: Option<&Oracle>,
+    label: &str,
+) -> Option<Reach> {
+    let planned = cells(0, scene, oracle, roster, &presets(roster)).ok()?;
     let own = planned.iter().find(|cell| cell.column.label() == label);
     own.map(|cell| cell.reach)
 }
 
 /// `ENGINE KEY=VALUE ...` as a column.
-pub(in crate::study) fn tried(scene: &Scene, text: &str) -> Result<Column, PlanError> {
+pub(in crate::study) fn tried(
+    roster: &Roster,
+    scene: &Scene,
+    text: &str,
+) -> Result<Column, PlanError> {
     let wrong = |why: String| PlanError::Try {
         scene: scene.name.clone(),
         setting: text.to_owned(),
@@ -181,30 +180,14 @@ pub(in crate::study) fn tried(scene: &Scene, text: &str) -> Result<Column, PlanE
     };
     let mut words = text.split_whitespace();
     let id = words.next().unwrap_or_default();
-    let engine = engine::find(id).ok_or_else(|| wrong(format!("no engine is called `{id}`")))?;
+    let engine = (roster.find(id)).ok_or_else(|| wrong(format!("no engine is called `{id}`")))?;
     let setting = Setting::parse(words).map_err(|refusal| wrong(refusal.to_string()))?;
-    Ok(Column { engine, setting })
+    Ok(Column::with(engine, setting))
 }
 
 /// The step of a column, s; `None` for an engine without one.
 pub fn step_of(column: &Column) -> Option<f64> {
-    let given = column.setting.values.get("dt");
-    given.map_or_else(|| default_step(column), |dt| dt.parse().ok())
-}
-
-fn default_step(column: &Column) -> Option<f64> {
-    let stock = column
-        .setting
-        .values
-        .get("preset")
-        .is_some_and(|preset| preset == "stock");
-    let knobs = column.engine.knobs();
-    let knob = knobs.iter().find(|knob| knob.key == "dt")?;
-    if stock {
-        // rapier's own
-        return Some(1.0 / 60.0);
-    }
-    knob.default.parse().ok()
+    column.engine.step(&column.setting)
 }
 
 /// When a run of the scene ends, s: when everything rests, as far as the oracle knows, else after its duration.
@@ -213,7 +196,7 @@ fn end_time(scene: &Scene, oracle: Option<&Oracle>) -> f64 {
     rest.map_or(scene.duration, |o| o.trace.end_time.min(scene.duration))
 }
 
-fn work(column: &Column, end: f64, scene: &Scene, oracle: Option<&Oracle>) -> f64 {
+fn states(column: &Column, end: f64, scene: &Scene, oracle: Option<&Oracle>) -> f64 {
     let balls = scene.balls.len() as f64;
     match step_of(column) {
         Some(dt) if dt > 0.0 => (end / dt).max(1.0) * balls,
@@ -221,39 +204,22 @@ fn work(column: &Column, end: f64, scene: &Scene, oracle: Option<&Oracle>) -> f6
     }
 }
 
-fn reach(engine: &str, work: f64) -> Reach {
-    let of = |bounds: [(&str, f64); 2]| {
-        let own = bounds.iter().find(|(id, _)| engine.starts_with(id));
-        own.map_or(f64::INFINITY, |(_, bound)| *bound)
-    };
-    if work > of(OUT_OF_REACH) {
+fn reach(time: f64) -> Reach {
+    if time > OUT_OF_REACH {
         Reach::Never
-    } else if work > of(MOST_WORK) {
+    } else if time > MOST_TIME {
         Reach::Full
     } else {
         Reach::Always
     }
 }
 
-/// How long a cell takes compared with others: a ball-step of rapier is some hundred times one of the stepper.
-pub fn cost(planned: &Planned) -> f64 {
-    let each = match planned.column.engine.id() {
-        "stepper" => 0.01,
-        "exact" => 1.0,
-        _ => 2.0,
-    };
-    planned.work * each
-}
-
 /// The bounds in words, for the page.
 pub fn bounds_in_words() -> String {
-    let each = |bounds: [(&str, f64); 2]| {
-        let one = |(engine, bound): &(&str, f64)| format!("{bound:e} for {engine}");
-        bounds.iter().map(one).collect::<Vec<_>>().join(" and ")
-    };
     format!(
-        "A run of more than {} steps x balls, other than a preset's own, is left to `--full`; one of more than {} is out of reach.",
-        each(MOST_WORK),
-        each(OUT_OF_REACH)
+        "A run that is expected to take more than {} s of a processor, other than a preset's own, is left to `--full`; one of more than {} s \
+         is out of reach.",
+        MOST_TIME * 1e-9,
+        OUT_OF_REACH * 1e-9
     )
 }

@@ -115,7 +115,7 @@ pub fn steps(outcome: &Outcome) -> Option<Table> {
     };
     Some(Table {
         id: "steps".to_owned(),
-        title: format!("Steps from {} to {} s", STEPS[0], STEPS[STEPS.len() - 1]),
+        title: format!("Steps from {:e} to {:e} s", STEPS[0], STEPS[STEPS.len() - 1]),
         columns,
         rows: (0..outcome.question.scenes.len()).map(row).collect(),
         note: "One letter a step, the finest first: h holds, d drifts, b breaks, i indeterminate, c cannot express; . left to --full, - out of reach. \
@@ -132,8 +132,7 @@ pub fn of_step(outcome: &Outcome, scene: usize, preset: usize, step: usize) -> O
             Role::Step(its_preset, its_step) => (its_preset, its_step) == (preset, step),
             Role::Preset => {
                 case.planned.column.label() == outcome.question.presets[preset].label()
-                    && super::plan::step_of(&case.planned.column)
-                        == STEPS.get(step).and_then(|step| step.parse().ok())
+                    && super::plan::step_of(&case.planned.column) == STEPS.get(step).copied()
             }
             Role::Tried => false,
         })
@@ -217,7 +216,7 @@ pub fn absent_cells(outcome: &Outcome) -> Option<Table> {
                 Cell::text(outcome.scene(case).name.clone()),
                 Cell::text(case.planned.column.label()),
                 Cell::text(absent(outcome, case)),
-                Cell::Number(case.planned.work),
+                Cell::Number(case.planned.time * 1e-9),
             ]
         })
         .collect();
@@ -228,7 +227,7 @@ pub fn absent_cells(outcome: &Outcome) -> Option<Table> {
             scene_column(),
             Column::words("engine", "engine"),
             Column::words("why", "why"),
-            Column::number("work", "steps x balls", ""),
+            Column::number("time", "expected time", "s"),
         ],
         rows,
         note: super::plan::bounds_in_words(),

@@ -3,6 +3,7 @@
 use super::plan::Role;
 use super::{Case, Outcome, Reach};
 use crate::finding::Verdict;
+use crate::study::matrix::Column;
 
 /// One word of a verdict, short enough for a matrix of seven columns.
 pub fn word(verdict: Verdict) -> &'static str {
@@ -49,14 +50,8 @@ pub fn sentence(outcome: &Outcome) -> String {
     )
 }
 
-/// What our own models do in every case.
+/// What the engines do that promise to hold in every case.
 fn own_models(outcome: &Outcome) -> String {
-    let checked = |case: &Case| {
-        let column = &case.planned.column;
-        let rule = column.setting.values.get("contact").map(String::as_str);
-        column.engine.id() == "stepper" && rule == Some("approaching-only")
-    };
-    let exact = |case: &Case| case.planned.column.engine.id() == "exact";
     let promises = outcome.broken_promises().len();
     let promised = match promises {
         0 if outcome.is_cut_short() => "Nothing that ran breaks a promise".to_owned(),
@@ -64,14 +59,31 @@ fn own_models(outcome: &Outcome) -> String {
         1 => "One promised invariant is broken".to_owned(),
         n => format!("{n} promised invariants are broken"),
     };
-    let own_step = |case: &Case| checked(case) && is_preset(case);
-    let other_step = |case: &Case| checked(case) && !is_preset(case);
-    format!(
-        "{promised}; exact breaks in {} of its runs, the stepper with the approach check in {} at its own step and {} at others.",
-        outcome.count(Verdict::Breaks, exact),
-        outcome.count(Verdict::Breaks, own_step),
-        outcome.count(Verdict::Breaks, other_step)
-    )
+    let mut sound = Column::presets(&outcome.question.roster, |preset| preset.sound);
+    Column::solvers_first(&mut sound);
+    let broken = sound.iter().map(|column| {
+        let own = |case: &Case| {
+            let asked = &case.planned.column;
+            asked.engine.id() == column.engine.id()
+                && asked.setting.besides(&column.setting).is_some()
+        };
+        let at = |preset: bool| {
+            outcome.count(Verdict::Breaks, |case| {
+                own(case) && is_preset(case) == preset
+            })
+        };
+        let name = short_words(column);
+        match column.engine.solves() {
+            true => format!("{name} breaks in {} of its runs", at(true) + at(false)),
+            false => format!(
+                "{name} breaks in {} at its own step and {} at others",
+                at(true),
+                at(false)
+            ),
+        }
+    });
+    let sentences: Vec<String> = std::iter::once(promised).chain(broken).collect();
+    format!("{}.", sentences.join("; "))
 }
 
 /// What was left out, and why; `None` where nothing was.
@@ -100,25 +112,24 @@ pub fn left_out(outcome: &Outcome) -> Option<String> {
     ))
 }
 
-/// `stepper contact=approaching-only` as a heading of short words.
+/// The column of a case as a heading of short words.
 pub fn heading(case: &Case) -> String {
-    let column = &case.planned.column;
-    let values = column.setting.values.iter();
-    let words: Vec<String> = values
-        .map(|(key, value)| match (key.as_str(), value.as_str()) {
-            ("contact", "approaching-only") => "approach check".to_owned(),
-            ("preset", preset) => preset.to_owned(),
-            (key, value) => format!("{key} {value}"),
-        })
-        .collect();
-    let engine = column.engine.id().replace('-', " ");
-    let bare = words.is_empty() && column.engine.id() == "stepper";
-    let words = if bare {
-        "as written".to_owned()
-    } else {
-        words.join(" ")
-    };
-    format!("{engine} {words}").trim_end().to_owned()
+    short_words(&case.planned.column)
+}
+
+/// Engine, preset and what is set besides, in short words: `stepper approach check`.
+fn short_words(column: &Column) -> String {
+    let mut words = vec![column.engine.id().replace('-', " ")];
+    if let Some((preset, besides)) = column.preset() {
+        // what the defaults are called is no name for another setting
+        if besides.values.is_empty() || !preset.setting.values.is_empty() {
+            words.push(preset.words.into_owned());
+        }
+        let besides = besides.values.iter();
+        words.extend(besides.map(|(key, value)| format!("{key} {value}")));
+    }
+    words.retain(|word| !word.is_empty());
+    words.join(" ")
 }
 
 /// Why a cell did not run.

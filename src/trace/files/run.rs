@@ -5,7 +5,7 @@ use crate::trace::{Ending, Extrema, Extremum, Provenance, Spot, Trace};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The keys of `run.json`, in order. Only `stopped_early`, `parameters` and `counters` may be left out.
+/// The keys of `run.json`, in order. Only `stopped_early`, `parameters`, `ulp` (of f64 then) and `counters` may be left out.
 #[derive(Serialize, Deserialize)]
 struct RunFile {
     /// Only where it is true: the ending says the same, this key is what every command says it by.
@@ -21,12 +21,19 @@ struct RunFile {
     resolution: f64,
     #[serde(with = "number::finite")]
     rest_speed: f64,
+    #[serde(default = "double", with = "number::finite")]
+    ulp: f64,
     ending: EndingEntry,
     #[serde(with = "number::finite")]
     end_time: f64,
     #[serde(default)]
     counters: BTreeMap<String, u64>,
     extrema: ExtremaEntry,
+}
+
+/// The scalar of a run that does not name it.
+fn double() -> f64 {
+    f64::EPSILON
 }
 
 /// An ending: its kind, and its place for the kinds that have one.
@@ -105,6 +112,7 @@ pub fn write(trace: &Trace) -> Result<String, FileError> {
         scene_hash: provenance.scene_hash.clone(),
         resolution: provenance.resolution,
         rest_speed: provenance.rest_speed,
+        ulp: provenance.ulp,
         ending: EndingEntry {
             kind: trace.ending.id().to_owned(),
             spot: trace.ending.spot().map(spot).transpose()?,
@@ -175,6 +183,7 @@ pub fn read(text: &str, balls: &[String]) -> Result<RunPart, FileError> {
             scene_hash: file.scene_hash,
             resolution: file.resolution,
             rest_speed: file.rest_speed,
+            ulp: file.ulp,
         },
         counters: file.counters,
         ending,

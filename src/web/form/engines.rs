@@ -1,6 +1,6 @@
 //! Which engines run, with which step: boxes to tick, one step an engine that has one, and a line for anything else.
 
-use crate::engine::{ENGINES, Refusal};
+use crate::engine::{Refusal, Roster, Setting, step_knob};
 use crate::scene::Scene;
 use crate::study::Column;
 use crate::study::compare::{default_columns, plan};
@@ -22,6 +22,8 @@ const MOST_COLUMNS: usize = 12;
 /// The part of the form about engines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Engines {
+    /// All that there are.
+    pub roster: Roster,
     /// Boxes, ticked or not.
     pub boxes: Vec<Tick>,
     /// Steps.
@@ -38,16 +40,18 @@ pub struct Tick {
     /// Engine and setting.
     pub label: String,
     /// How it solves in time.
-    pub method: &'static str,
+    pub method: String,
     /// Whether it is ticked.
     pub ticked: bool,
+    /// Whether it runs whatever is ticked: the others are held against it.
+    pub always: bool,
 }
 
 /// The step of one engine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
     /// Id of the engine.
-    pub engine: &'static str,
+    pub engine: String,
     /// What it means.
     pub meaning: String,
     /// As typed.
@@ -56,25 +60,27 @@ pub struct Step {
 
 impl Engines {
     /// The fields about engines among `fields`, which are taken out; all default engines where none is named.
-    pub fn taken_from(fields: &mut Pairs) -> Self {
+    pub fn taken_from(fields: &mut Pairs, roster: &Roster) -> Self {
         let named: Vec<String> = fields.all(ENGINE).map(str::to_owned).collect();
         fields.take(ENGINE);
-        let boxes = plan(&default_columns()).into_iter().map(|column| {
-            let spec = spec(&column);
+        let defaults = plan(roster, &default_columns(roster)).into_iter();
+        let boxes = defaults.map(|column| {
+            let spec = column.spec();
+            let always = column.engine.solves() && column.setting.values.is_empty();
             Tick {
-                // the exact engine is what the others are held against: it always runs
-                ticked: named.is_empty() || named.contains(&spec) || spec == "exact",
+                always,
+                ticked: named.is_empty() || named.contains(&spec) || always,
                 label: column.label(),
-                method: column.engine.about().method,
+                method: column.engine.about().method.into_owned(),
                 spec,
             }
         });
         let boxes: Vec<Tick> = boxes.collect();
-        let steps = ENGINES.iter().filter_map(|engine| {
-            let knob = engine.knobs().into_iter().find(|knob| knob.key == "dt")?;
+        let steps = roster.iter().filter_map(|engine| {
+            let knob = step_knob(engine.knobs())?;
             let typed = fields.take(&format!("{STEP}{}", engine.id()));
             Some(Step {
-                engine: engine.id(),
+                engine: engine.id().to_owned(),
                 meaning: knob.what,
                 value: typed.unwrap_or(knob.default),
             })
@@ -84,6 +90,7 @@ impl Engines {
         let mut more: Vec<String> = named.iter().filter(other).cloned().collect();
         more.extend(fields.take(MORE).filter(|more| !more.trim().is_empty()));
         Engines {
+            roster: roster.clone(),
             boxes,
             steps,
             more: more.join(","),
@@ -98,22 +105,21 @@ impl Engines {
         let ticked = self.boxes.iter().filter(|known| known.ticked);
         let mut columns = Vec::new();
         for known in ticked {
-            columns.extend(listed(&known.spec, ENGINE)?);
+            columns.extend(self.listed(&known.spec, ENGINE)?);
         }
         for column in &mut columns {
             let id = column.engine.id();
-            let knobs = column.engine.knobs();
-            let default = knobs.iter().find(|knob| knob.key == "dt");
+            let knob = step_knob(column.engine.knobs());
             let typed = self.steps.iter().find(|step| step.engine == id);
-            let Some((typed, default)) = typed.zip(default) else {
+            let Some((typed, knob)) = typed.zip(knob) else {
                 continue;
             };
-            if typed.value.trim() == default.default {
+            if typed.value.trim() == knob.default {
                 continue;
             }
-            column.setting = column.setting.clone().with("dt", typed.value.trim());
+            column.setting = column.setting.clone().with(&knob.key, typed.value.trim());
             match column.engine.pace(scene, &column.setting) {
-                Err(Refusal::Setting { message }) if message.starts_with("`dt=") => {
+                Err(Refusal::Setting { key, message }) if key.as_ref() == Some(&knob.key) => {
                     let field = format!("{STEP}{id}");
                     return Err(Problem::at(&field, message, typed.meaning.clone()));
                 }
@@ -121,20 +127,40 @@ impl Engines {
             }
         }
         if !self.more.trim().is_empty() {
-            columns.extend(listed(&self.more, MORE)?);
+            columns.extend(self.listed(&self.more, MORE)?);
         }
         counted(columns)
+    }
+
+    fn listed(&self, list: &str, field: &str) -> Result<Vec<Column>, Problem> {
+        listed(&self.roster, list, field)
     }
 }
 
 /// The columns of a list as `carom compare --engines` takes it.
-pub fn columns(list: &str) -> Result<Vec<Column>, Problem> {
-    counted(plan(&listed(list, "engines")?))
+pub fn columns(roster: &Roster, list: &str) -> Result<Vec<Column>, Problem> {
+    counted(plan(roster, &listed(roster, list, "engines")?))
 }
 
-fn listed(list: &str, field: &str) -> Result<Vec<Column>, Problem> {
-    let help = "such as stepper,rapier-f64:preset=stock:dt=1e-3";
-    Column::list(list).map_err(|why| Problem::at(field, why, help))
+fn listed(roster: &Roster, list: &str, field: &str) -> Result<Vec<Column>, Problem> {
+    Column::list(roster, list).map_err(|why| {
+        let help = format!("such as {}", example(roster));
+        Problem::at(field, why, help)
+    })
+}
+
+/// A list of two engines with settings: the first preset that sets something, and another engine with a step of its own.
+pub fn example(roster: &Roster) -> String {
+    let set = Column::presets(roster, |preset| !preset.setting.values.is_empty());
+    let first = set.first().cloned();
+    let other = roster.iter().rev().find_map(|engine| {
+        let differs = first.as_ref().is_none_or(|c| c.engine.id() != engine.id());
+        let step = engine.step(&Setting::default()).filter(|_| differs)?;
+        let setting = engine.with_step(&Setting::default(), 0.1 * step)?;
+        Some(Column::with(engine, setting))
+    });
+    let specs: Vec<String> = first.iter().chain(&other).map(Column::spec).collect();
+    specs.join(",")
 }
 
 /// The same columns, if there are not too many and each is there once.
@@ -156,19 +182,12 @@ fn counted(columns: Vec<Column>) -> Result<Vec<Column>, Problem> {
 }
 
 /// `--engines LIST` for these columns, with a space before it; nothing for those that run where none is named.
-pub fn as_argument<'c>(columns: impl Iterator<Item = &'c Column>) -> String {
-    let specs: Vec<String> = columns.map(spec).collect();
-    let default: Vec<String> = plan(&default_columns()).iter().map(spec).collect();
+pub fn as_argument<'c>(roster: &Roster, columns: impl Iterator<Item = &'c Column>) -> String {
+    let specs: Vec<String> = columns.map(Column::spec).collect();
+    let defaults = plan(roster, &default_columns(roster));
+    let default: Vec<String> = defaults.iter().map(Column::spec).collect();
     match specs == default {
         true => String::new(),
         false => format!(" --engines {}", specs.join(",")),
     }
-}
-
-fn spec(column: &Column) -> String {
-    let setting = column.setting.to_string();
-    let parts = setting.split_whitespace();
-    parts.fold(column.engine.id().to_owned(), |spec, part| {
-        format!("{spec}:{part}")
-    })
 }

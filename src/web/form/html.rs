@@ -1,6 +1,6 @@
 //! The form as HTML: labelled fields with what is recommended and the range as text, complete before any script runs.
 
-use super::engines::{ENGINE, Engines, MORE, STEP};
+use super::engines::{ENGINE, Engines, MORE, STEP, example};
 use super::five::{FIVE, Input};
 use super::{Choice, Field, Form, GIVEN, Kind, Law, NONE, Node};
 use crate::report::html::inline;
@@ -350,21 +350,24 @@ impl Writer<'_> {
         let mut html = "<fieldset><legend class=\"sr\">Engines to run</legend>\n".to_owned();
         for known in &engines.boxes {
             let element = id(&format!("{ENGINE}-{}", known.spec));
-            let (ticked, always) = match (known.spec.as_str(), known.ticked) {
+            let (ticked, always) = match (known.always, known.ticked) {
                 // a box that cannot be changed is not sent
-                ("exact", _) => (" checked disabled", " · always runs: the reference"),
-                (_, true) => (" checked", ""),
-                (_, false) => ("", ""),
+                (true, _) => (" checked disabled", " · always runs: the reference"),
+                (false, true) => (" checked", ""),
+                (false, false) => ("", ""),
             };
             html += &format!(
                 "<div class=\"tick\"><input type=\"checkbox\" id=\"{element}\" name=\"{ENGINE}\" value=\"{}\"{ticked} aria-describedby=\"hint-{element}\">\
                  <label for=\"{element}\">{}</label><p class=\"hint\" id=\"hint-{element}\">{}{always}</p></div>\n",
                 escape(&known.spec),
                 escape(&known.label),
-                escape(known.method)
+                escape(&known.method)
             );
         }
-        html += &format!("<input type=\"hidden\" name=\"{ENGINE}\" value=\"exact\">\n");
+        for known in engines.boxes.iter().filter(|known| known.always) {
+            let spec = escape(&known.spec);
+            html += &format!("<input type=\"hidden\" name=\"{ENGINE}\" value=\"{spec}\">\n");
+        }
         for step in &engines.steps {
             let name = format!("{STEP}{}", step.engine);
             let kind = Kind::Number {
@@ -380,7 +383,8 @@ impl Writer<'_> {
             );
         }
         let more = format!(
-            "type=\"text\" autocomplete=\"off\" spellcheck=\"false\" placeholder=\"rapier-f64:preset=stock\" value=\"{}\"",
+            "type=\"text\" autocomplete=\"off\" spellcheck=\"false\" placeholder=\"{}\" value=\"{}\"",
+            escape(&example(&engines.roster)),
             escape(&engines.more)
         );
         let what =

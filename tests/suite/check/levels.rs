@@ -2,7 +2,9 @@
 
 use super::SCENES;
 use carom::engine::stepper::Stepper;
-use carom::engine::{About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusal, Run, Setting};
+use carom::engine::{
+    About, Engine, Inside, Knob, Limits, Name, Pace, Parameter, Refusal, Run, Setting,
+};
 use carom::gate::{Accepted, Held, Refused};
 use carom::physics::invariants::Invariant;
 use carom::scene::{Scene, catalogue};
@@ -11,6 +13,7 @@ use carom::study::compare::default_columns;
 use carom::study::{Column, Watch};
 use carom::trace::{Record, Trace};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -21,7 +24,13 @@ fn outcome(scenes: &[&str], columns: &[Column]) -> Outcome {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    study(&named.collect::<Vec<_>>(), columns, watch).unwrap()
+    study(
+        crate::support::roster(),
+        &named.collect::<Vec<_>>(),
+        columns,
+        watch,
+    )
+    .unwrap()
 }
 
 /// A stepper whose trace is changed after the run, under the stepper's own name.
@@ -33,7 +42,7 @@ struct PlantedRun<'a> {
 }
 
 impl Engine for Planted {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> &str {
         Stepper.id()
     }
     fn version(&self) -> String {
@@ -45,20 +54,20 @@ impl Engine for Planted {
     fn knobs(&self) -> Vec<Knob> {
         Stepper.knobs()
     }
-    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+    fn missing(&self, scene: &Scene) -> Vec<Name> {
         Stepper.missing(scene)
     }
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
         Stepper.promises(scene, setting)
     }
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
         Stepper.ladders()
     }
     fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
         Stepper.pace(scene, setting)
     }
-    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
-        Stepper.remedies(scene, setting)
+    fn ablations(&self, scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
+        Stepper.ablations(scene, setting)
     }
     fn prepare<'a>(
         &self,
@@ -87,8 +96,9 @@ impl Run for PlantedRun<'_> {
 }
 
 /// A run of the stepper with something planted, held against the plain one.
-fn held(scenes: &[&str], planted: &'static Planted) -> Held {
-    let plain = outcome(scenes, &[Column::of(&Stepper)]);
+fn held(scenes: &[&str], planted: &Planted) -> Held {
+    let column = |engine: Arc<dyn Engine>| [Column::of(&engine)];
+    let plain = outcome(scenes, &column(Arc::new(Stepper)));
     let accepted = |scene: &Scene| {
         Some(Accepted {
             scene: scene.name.clone(),
@@ -104,7 +114,7 @@ fn held(scenes: &[&str], planted: &'static Planted) -> Held {
     };
     let accepted = plain.scenes.iter().map(accepted).collect();
     Held::new(
-        outcome(scenes, &[Column::of(planted)]),
+        outcome(scenes, &column(Arc::new(Planted(planted.0)))),
         accepted,
         Vec::new(),
     )
@@ -173,7 +183,7 @@ fn a_rerun_with_other_bits_breaks_the_promise_of_a_rerun() {
 
 #[test]
 fn every_case_of_the_small_scenes_runs_or_says_why_not() {
-    let outcome = outcome(&SCENES, &default_columns());
+    let outcome = outcome(&SCENES, &default_columns(crate::support::roster()));
     assert_eq!(outcome.missing(), 0);
     assert_eq!(outcome.broken, []);
     // per scene: the oracle, and five columns on three levels or, if hard, four; the hard one asks for seven settings more
@@ -196,7 +206,13 @@ fn what_was_stopped_has_missing_cases_and_is_held_against_nothing() {
         progress: &|_, _, _| {},
         cancelled: &stopped,
     };
-    let outcome = study(&scenes, &default_columns(), watch).unwrap();
+    let outcome = study(
+        crate::support::roster(),
+        &scenes,
+        &default_columns(crate::support::roster()),
+        watch,
+    )
+    .unwrap();
     assert!(!outcome.cases.is_empty());
     assert_eq!(outcome.missing(), outcome.cases.len());
     let held = Held::new(outcome, vec![Some(Accepted::default())], Vec::new());

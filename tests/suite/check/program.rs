@@ -30,7 +30,7 @@ fn what_was_accepted_is_held_in_both_directions() {
     let file = folder.join("slide.csv");
     let good = fs::read_to_string(&file).unwrap();
     assert!(good.contains("# reason: for a test\n"), "{good}");
-    for built in carom::engine::ENGINES.iter().flat_map(|e| e.built()) {
+    for built in crate::support::roster().iter().flat_map(|e| e.built()) {
         assert!(built.word() != "unknown", "{built}");
         assert!(good.contains(&format!(": {built}\n")), "{built}: {good}");
     }
@@ -277,7 +277,7 @@ fn nothing_is_held_of_an_engine_that_was_built_from_elsewhere() {
 
 /// What the engines are built from, as `--built-from` says it.
 fn engine_sources() -> String {
-    let built = carom::engine::ENGINES
+    let built = crate::support::roster()
         .iter()
         .flat_map(|engine| engine.built());
     let sources = built.map(|built| format!("{}={}", built.name, built.word()));

@@ -1,7 +1,7 @@
 //! Random scenes in the gate: they are held, they cannot be left out, and what they break is nobody's to accept.
 
 use super::{baselines, check, said};
-use carom::engine::{self, Setting};
+use carom::engine::Setting;
 use carom::gate::{self, Decision, Held, Refused};
 use carom::law::Fault;
 use carom::study::check::{self as gate_study, Level, RANDOM, State, random_hash, random_plan};
@@ -17,9 +17,9 @@ fn few(scenes: u64, cancelled: bool) -> (gate_study::Outcome, random::Outcome) {
         progress: &|_, _, _| {},
         cancelled: &stop,
     };
-    let columns = [Column::of(engine::find("exact").unwrap())];
+    let columns = [Column::of(crate::support::find("exact").unwrap())];
     let found = random::study(random_plan(&columns, scenes), watch);
-    let outcome = gate_study::study(&[], &columns, watch).unwrap();
+    let outcome = gate_study::study(crate::support::roster(), &[], &columns, watch).unwrap();
     (outcome, found)
 }
 
@@ -152,7 +152,7 @@ fn the_random_scenes_of_the_gate_are_asked_for_by_name_and_appear_wherever_a_sce
 
 #[test]
 fn the_engines_that_hold_in_random_scenes_are_those_of_the_check() {
-    let columns = Column::list("stepper:dt=0.004,rapier-f64").unwrap();
+    let columns = Column::list(crate::support::roster(), "stepper:dt=0.004,rapier-f64").unwrap();
     let plan = random_plan(&columns, 1);
     let labels: Vec<String> = plan.columns.iter().map(Column::label).collect();
     assert_eq!(labels, ["stepper contact=approaching-only"]);

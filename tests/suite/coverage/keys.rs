@@ -2,7 +2,6 @@
 
 use super::{Exempt, gate, hold, tried};
 use crate::mutants::{Fault, Wrong, caught, held};
-use carom::engine::ENGINES;
 use carom::study::compare::default_columns;
 use carom::study::matrix::Column;
 use std::collections::BTreeSet;
@@ -29,14 +28,14 @@ const EXEMPT: &[Exempt] = &[
 #[test]
 fn every_key_at_another_value_is_held_so_that_ignoring_it_is_noticed() {
     let mut missing: BTreeSet<(String, String)> = BTreeSet::new();
-    for engine in ENGINES {
+    for engine in crate::support::roster() {
         let keys = engine.knobs().into_iter().map(|knob| knob.key);
         missing.extend(keys.map(|key| (key, engine.id().to_owned())));
     }
     assert!(missing.len() > 50, "{} keys", missing.len());
     let mut ignored = 0;
     for scene in gate() {
-        let presets = default_columns().into_iter();
+        let presets = default_columns(crate::support::roster()).into_iter();
         for column in presets.chain(tried(&scene)) {
             for key in column.setting.values.keys() {
                 let place = (key.clone(), column.engine.id().to_owned());

@@ -80,12 +80,12 @@ fn two_balls() -> Scene {
 
 /// True where the column can simulate the scene.
 fn accepts(column: &Column, scene: &Scene) -> bool {
-    engine::prepare(column.engine, scene, &column.setting).is_ok()
+    engine::prepare(column.engine.as_ref(), scene, &column.setting).is_ok()
 }
 
 #[test]
 fn every_branch_of_every_law_occurs_in_a_gate_scene_of_every_column_that_accepts_it() {
-    let columns = default_columns();
+    let columns = default_columns(crate::support::roster());
     let mut missing: BTreeSet<(Branch, String)> = BTreeSet::new();
     let mut wanted = 0;
     for law in laws() {
@@ -100,7 +100,7 @@ fn every_branch_of_every_law_occurs_in_a_gate_scene_of_every_column_that_accepts
     assert!(wanted > 150, "{wanted} branches");
     for scene in gate() {
         for column in &columns {
-            let Ok(run) = engine::prepare(column.engine, &scene, &column.setting) else {
+            let Ok(run) = engine::prepare(column.engine.as_ref(), &scene, &column.setting) else {
                 continue;
             };
             let trace = run.simulate(Record::Events, &engine::Limits::NONE);
@@ -132,6 +132,8 @@ fn what_is_missing_is_told_and_so_is_an_exemption_that_is_not_needed() {
 
 /// The columns of a scene that its `try` adds.
 fn tried(scene: &Scene) -> Vec<Column> {
-    let given = default_columns();
-    plan(scene, &given).unwrap().split_off(given.len())
+    let given = default_columns(crate::support::roster());
+    plan(crate::support::roster(), scene, &given)
+        .unwrap()
+        .split_off(given.len())
 }

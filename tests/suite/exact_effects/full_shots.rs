@@ -2,9 +2,9 @@
 
 use super::{CLOTH, POOL, exact, scene};
 use crate::support::run;
+use carom::engine::Limits;
 use carom::engine::exact::sensitivity::{Influence, Input, growth, influences};
 use carom::engine::exact::solve;
-use carom::engine::{Limits, find};
 use carom::math::{DoubleDouble, Octuple, Real, Vec3};
 use carom::scene::Scene;
 use carom::trace::{Ending, EventKind, Record, Trace};
@@ -234,7 +234,7 @@ fn what_a_law_integrates_is_an_error_of_the_events_after_it() {
 #[test]
 fn what_has_no_meaning_for_the_convention_is_refused() {
     let mut scene = everything(HAN, CONSTANT);
-    let engine = find("exact").unwrap();
+    let engine = crate::support::find("exact").unwrap();
     assert_eq!(engine.missing(&scene), Vec::<&str>::new());
     scene.simultaneous = carom::scene::Simultaneous::GeneralizedReflections;
     assert_eq!(engine.missing(&scene).len(), 1);

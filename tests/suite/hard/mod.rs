@@ -8,7 +8,7 @@ mod symmetry;
 
 use crate::support::run;
 use carom::compare::deepest_overlap;
-use carom::engine::{ENGINES, Setting};
+use carom::engine::Setting;
 use carom::math::Vec3;
 use carom::physics::State;
 use carom::scene::{Scene, SetName, catalogue};
@@ -71,7 +71,9 @@ fn what_a_scene_wants_tried_is_an_engine_and_settings_that_it_knows() {
         for text in &scene.try_settings {
             let mut words = text.split_whitespace();
             let id = words.next().unwrap_or_default();
-            let engine = ENGINES.iter().find(|engine| engine.id() == id);
+            let engine = crate::support::roster()
+                .iter()
+                .find(|engine| engine.id() == id);
             let engine = engine.unwrap_or_else(|| panic!("{}: no engine {id}", scene.name));
             let setting =
                 Setting::parse(words).unwrap_or_else(|error| panic!("{}: {error}", scene.name));

@@ -7,11 +7,12 @@ use super::plain;
 use super::slip::Slip;
 use carom::engine::stepper::Settings;
 use carom::engine::{
-    self, About, Engine, Inside, Knob, Limits, Pace, Parameter, Refusal, Run, Setting,
+    self, About, Engine, Inside, Knob, Limits, Name, Pace, Parameter, Preset, Refusal, Run, Setting,
 };
 use carom::physics::invariants::Invariant;
 use carom::scene::Scene;
 use carom::trace::{Provenance, Record, Trace};
+use std::sync::Arc;
 
 /// What is wrong.
 #[derive(Clone, Copy)]
@@ -30,19 +31,19 @@ pub enum Fault {
 
 /// An engine with a fault.
 pub struct Wrong {
-    of: &'static dyn Engine,
+    of: Arc<dyn Engine>,
     fault: Fault,
 }
 
 impl Wrong {
-    /// The engine called `id` with a fault. It lives as long as the tests: columns hold engines that do.
-    pub fn engine(id: &str, fault: Fault) -> &'static dyn Engine {
-        let of = engine::find(id).unwrap();
-        Box::leak(Box::new(Wrong { of, fault }))
+    /// The engine called `id` with a fault.
+    pub fn engine(id: &str, fault: Fault) -> Arc<dyn Engine> {
+        let of = Arc::clone(crate::support::find(id).unwrap());
+        Arc::new(Wrong { of, fault })
     }
 
     /// The plain copy of the stepper with a slip.
-    pub fn stepping(slip: Slip) -> &'static dyn Engine {
+    pub fn stepping(slip: Slip) -> Arc<dyn Engine> {
         Wrong::engine("stepper", Fault::Step(slip))
     }
 }
@@ -56,7 +57,7 @@ pub fn run(engine: &dyn Engine, settings: &[&str], scene: &Scene, record: Record
 }
 
 impl Engine for Wrong {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> &str {
         self.of.id()
     }
 
@@ -72,7 +73,27 @@ impl Engine for Wrong {
         self.of.knobs()
     }
 
-    fn missing(&self, scene: &Scene) -> Vec<&'static str> {
+    fn family(&self) -> &str {
+        self.of.family()
+    }
+
+    fn solves(&self) -> bool {
+        self.of.solves()
+    }
+
+    fn ulp(&self, setting: &Setting) -> f64 {
+        self.of.ulp(setting)
+    }
+
+    fn presets(&self) -> Vec<Preset> {
+        self.of.presets()
+    }
+
+    fn step(&self, setting: &Setting) -> Option<f64> {
+        self.of.step(setting)
+    }
+
+    fn missing(&self, scene: &Scene) -> Vec<Name> {
         self.of.missing(scene)
     }
 
@@ -80,7 +101,7 @@ impl Engine for Wrong {
         self.of.promises(scene, setting)
     }
 
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
         self.of.ladders()
     }
 
@@ -92,8 +113,8 @@ impl Engine for Wrong {
         self.of.awake(setting)
     }
 
-    fn remedies(&self, scene: &Scene, setting: &Setting) -> Vec<(&'static str, Setting)> {
-        self.of.remedies(scene, setting)
+    fn ablations(&self, scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
+        self.of.ablations(scene, setting)
     }
 
     fn prepare<'a>(
@@ -103,7 +124,7 @@ impl Engine for Wrong {
     ) -> Result<Box<dyn Run + 'a>, Refusal> {
         Ok(Box::new(Prepared {
             right: self.of.prepare(scene, setting)?,
-            of: self.of,
+            of: Arc::clone(&self.of),
             fault: self.fault,
             scene,
             setting: setting.clone(),
@@ -113,7 +134,7 @@ impl Engine for Wrong {
 
 struct Prepared<'a> {
     right: Box<dyn Run + 'a>,
-    of: &'static dyn Engine,
+    of: Arc<dyn Engine>,
     fault: Fault,
     scene: &'a Scene,
     setting: Setting,
@@ -172,6 +193,7 @@ impl Run for Prepared<'_> {
                     scene_hash: self.scene.hash(),
                     resolution: settings.dt,
                     rest_speed: 0.0,
+                    ulp: f64::EPSILON,
                 };
                 plain::simulate(self.scene, settings, slip, provenance, record, limits)
             }

@@ -28,7 +28,7 @@ fn study(scenes: &[Scene], columns: &[Column], random: u64) -> Outcome {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
     };
-    let mut outcome = check::study(scenes, columns, watch).unwrap();
+    let mut outcome = check::study(crate::support::roster(), scenes, columns, watch).unwrap();
     if random > 0 {
         let plan = check::random_plan(columns, random);
         outcome.add_random(&carom::study::random::study(plan, watch));
@@ -42,7 +42,7 @@ fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
     let path = format!("{folder}/{}.csv", scene.name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut baseline = gate::read(&text).unwrap_or_else(|e| panic!("{path}: {e}"));
-    let planned = check::plan(scene, columns).unwrap();
+    let planned = check::plan(crate::support::roster(), scene, columns).unwrap();
     let labels: Vec<String> = planned.iter().map(Column::label).collect();
     let rows = &mut baseline.rows;
     rows.retain(|row| row.engine == ORACLE || labels.contains(&row.engine));

@@ -15,7 +15,7 @@ pub use engines::{Fault, Wrong};
 pub use held::{caught, hold as held};
 
 use crate::support::run;
-use carom::engine::{self, Setting};
+use carom::engine::Setting;
 use carom::scene::{SetName, catalogue};
 use carom::study::check::Level;
 use carom::study::matrix::Column;
@@ -46,7 +46,7 @@ fn the_plain_copy_without_a_slip_is_the_stepper_to_the_bit() {
                 continue;
             }
             let want = run("stepper", setting, scene, Record::Every(0.01));
-            let got = engines::run(copy, setting, scene, Record::Every(0.01));
+            let got = engines::run(copy.as_ref(), setting, scene, Record::Every(0.01));
             let case = format!("{} {setting:?}", scene.name);
             assert_eq!(got.events, want.events, "{case}: events");
             assert_eq!(got.counters, want.counters, "{case}: counters");
@@ -113,7 +113,7 @@ fn what_is_not_mutated_is_never_flagged_for_any_number_of_threads() {
             let names = jobs.iter().filter(|job| (job.0, job.1) == (id, setting));
             let names: Vec<&str> = names.map(|job| job.2).collect();
             let column = [Column {
-                engine: engine::find(id).unwrap(),
+                engine: crate::support::find(id).unwrap().clone(),
                 setting: Setting::parse(setting.iter().copied()).unwrap(),
             }];
             let held = pool.install(|| held::hold(&held::gate_scenes(&names), &column, 0));

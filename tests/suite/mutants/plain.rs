@@ -5,12 +5,13 @@
 
 use super::slip::Slip;
 use carom::engine::Limits;
+use carom::engine::stepped::Clock;
 use carom::engine::stepper::{ContactRule, Launch, Settings};
 use carom::math::Vec3;
 use carom::physics::cloth::rotational::{self, Coefficients};
 use carom::physics::{Body, Cloth, Contact, Motion, Side, State, contact, cushion, pockets};
 use carom::scene::Scene;
-use carom::trace::{Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
+use carom::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Spot, Trace};
 use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
@@ -90,6 +91,9 @@ struct Episode {
 struct Program<'a> {
     scene: &'a Scene,
     settings: Settings,
+    clock: Clock,
+    /// Length of the step that is taken, s.
+    dt: f64,
     slip: Slip,
     balls: Vec<Ball>,
     recorder: Recorder,
@@ -141,6 +145,8 @@ pub fn simulate(
     let program = Program {
         scene,
         settings,
+        clock: Clock::new(scene.duration, settings.dt),
+        dt: settings.dt,
         slip,
         balls,
         recorder: Recorder::new(scene, provenance, record, &initial),
@@ -167,8 +173,7 @@ fn states(scene: &Scene, balls: &[Ball]) -> Vec<State> {
 
 impl Program<'_> {
     fn run(mut self, limits: &Limits<'_>) -> Trace {
-        let dt = self.settings.dt;
-        let steps = (self.scene.duration / dt * (1.0 - 1e-12)).ceil() as u64;
+        let steps = self.clock.steps;
         let mut moving = self.balls.iter().filter(|b| !b.is_at_rest()).count();
         let (mut ending, mut step) = (Ending::Duration, 0);
         while step < steps {
@@ -180,6 +185,7 @@ impl Program<'_> {
                 ending = Ending::Cancelled;
                 break;
             }
+            self.dt = self.clock.length(step);
             if self.slip == Slip::WallsFirst {
                 self.cushions(step);
             }
@@ -189,15 +195,15 @@ impl Program<'_> {
                 self.cushions(step);
             }
             let dt = match self.slip {
-                Slip::StepDoubled => 2.0 * dt,
-                _ => dt,
+                Slip::StepDoubled => 2.0 * self.dt,
+                _ => self.dt,
             };
             for ball in &mut self.balls {
                 ball.r[0] += ball.v.x * dt;
                 ball.r[1] += ball.v.y * dt;
             }
             step += 1;
-            let time = step as f64 * self.settings.dt;
+            let time = self.clock.time(step);
             for (i, kind) in std::mem::take(&mut self.ended) {
                 self.tell(i, kind, time);
             }
@@ -215,7 +221,7 @@ impl Program<'_> {
     }
 
     fn finish(self, step: u64, mut ending: Ending) -> Trace {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let states = states(self.scene, &self.balls);
         let finite = |v: &Vec3| v.norm_squared().is_finite();
         let broken: Vec<u32> = (0..states.len() as u32)
@@ -233,15 +239,13 @@ impl Program<'_> {
         }
         let at_end = self.since.values().filter(|(_, last)| last + 1 == step);
         let counters = [
-            ("steps", step),
-            ("exchanges", self.exchanges),
-            ("overlaps", self.overlaps),
-            ("longest_overlap_steps", self.longest),
-            ("pairs_overlapping_at_end", at_end.count() as u64),
+            (Counter::Steps, step),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Overlaps, self.overlaps),
+            (Counter::LongestOverlap, self.longest),
+            (Counter::OverlapsAtEnd, at_end.count() as u64),
         ];
-        let counters = counters.map(|(name, count)| (name.to_owned(), count));
-        self.recorder
-            .finish(time, &states, ending, counters.into_iter().collect())
+        self.recorder.finish(time, &states, ending, counters)
     }
 
     /// Each overlapping pair exchanges, in the report's order.
@@ -250,9 +254,9 @@ impl Program<'_> {
             return;
         };
         let time = match self.slip {
-            Slip::ContactToldLate => (step + 1) as f64,
-            _ => step as f64,
-        } * self.settings.dt;
+            Slip::ContactToldLate => self.clock.time(step + 1),
+            _ => self.clock.time(step),
+        };
         let n = self.balls.len();
         let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
         let mut pairs: Vec<(usize, usize)> = all
@@ -417,10 +421,8 @@ impl Program<'_> {
 
     /// The cloth slows every ball. Answers how many still move or spin.
     fn friction(&mut self, step: u64) -> usize {
-        let (time, gravity) = (
-            step as f64 * self.settings.dt,
-            self.slip.gravity(self.scene.gravity),
-        );
+        let time = self.clock.time(step);
+        let gravity = self.slip.gravity(self.scene.gravity);
         let mut moving = 0;
         for i in 0..self.balls.len() {
             let ball = self.balls[i];
@@ -463,7 +465,7 @@ impl Program<'_> {
 
     /// A ball that does not turn.
     fn slide(&self, ball: &Ball, deceleration: f64) -> Phase {
-        let (dt, speed, mut end) = (self.settings.dt, ball.speed(), Phase::going(ball));
+        let (dt, speed, mut end) = (self.dt, ball.speed(), Phase::going(ball));
         if speed == 0.0 {
             return end;
         }
@@ -481,7 +483,7 @@ impl Program<'_> {
 
     /// A ball that slides, rolls and spins.
     fn turn(&self, ball: &Ball, mu: Coefficients, gravity: f64) -> Phase {
-        let (dt, radius, mut end) = (self.settings.dt, ball.radius, Phase::going(ball));
+        let (dt, radius, mut end) = (self.dt, ball.radius, Phase::going(ball));
         if ball.v == Vec3::zeros() && ball.w == Vec3::zeros() {
             return end;
         }
@@ -555,7 +557,7 @@ impl Program<'_> {
 
     /// A ball past a wall is moved to it and that velocity component is turned inward.
     fn cushions(&mut self, step: u64) {
-        let time = step as f64 * self.settings.dt;
+        let time = self.clock.time(step);
         let (Some(law), Some(table)) = (self.scene.effects.cushion, self.scene.table) else {
             return;
         };

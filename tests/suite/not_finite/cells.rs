@@ -59,7 +59,13 @@ fn draw(draws: &mut Draws, n: usize) -> usize {
 fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
     let scenes = catalogue::set(SetName::Gate).unwrap();
     let files: Vec<Accepted> = scenes.iter().map(|s| accepted("baselines", s)).collect();
-    let outcome = check::study(&scenes, &default_columns(), watch()).unwrap();
+    let outcome = check::study(
+        crate::support::roster(),
+        &scenes,
+        &default_columns(crate::support::roster()),
+        watch(),
+    )
+    .unwrap();
     let hold = |files: &[Accepted]| {
         let files = files.iter().cloned().map(Some).collect();
         Held::new(outcome.clone(), files, Vec::new())
@@ -111,7 +117,7 @@ fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
 
 /// The preset whose matrix holds a run: the one whose label its own continues, or that of the engine for what a scene tries.
 fn preset_of(label: &str) -> Column {
-    let presets = stability::presets();
+    let presets = stability::presets(crate::support::roster());
     let continues = |preset: &&Column| {
         let rest = label.strip_prefix(&preset.label());
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" dt="))
@@ -156,6 +162,7 @@ fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
             }
         }
         let question = stability::Question {
+            roster: crate::support::roster().clone(),
             scenes: vec![scenes[scene].clone()],
             presets,
             full: false,

@@ -9,8 +9,8 @@ use carom::trace::files::{self, Files};
 use carom::trace::{Ending, Record, Spot, Trace};
 
 fn run(scene: &Scene, engine: &str) -> Trace {
-    let engine = engine::find(engine).unwrap();
-    let run = engine::prepare(engine, scene, &Setting::default()).unwrap();
+    let engine = crate::support::find(engine).unwrap();
+    let run = engine::prepare(engine.as_ref(), scene, &Setting::default()).unwrap();
     run.simulate(Record::Every(0.1), &Limits::NONE)
 }
 
@@ -47,8 +47,8 @@ fn what_the_program_writes_of_a_run_that_overflowed_is_read_again() {
     scene.balls[0].state.position.x = 1e300;
     scene.shot = None;
     let mut seen = 0;
-    for engine in engine::ENGINES {
-        let Ok(run) = engine::prepare(*engine, &scene, &Setting::default()) else {
+    for engine in crate::support::roster() {
+        let Ok(run) = engine::prepare(engine.as_ref(), &scene, &Setting::default()) else {
             continue;
         };
         let trace = run.simulate(Record::Every(0.1), &Limits::NONE);

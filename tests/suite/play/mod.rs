@@ -37,6 +37,7 @@ impl Turns for Never {
 
 fn site() -> Site {
     Site {
+        roster: crate::support::roster().clone(),
         port: PORT,
         start: catalogue::find("report-break").unwrap().text.to_owned(),
     }

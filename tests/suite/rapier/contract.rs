@@ -2,7 +2,7 @@
 
 use super::{BOTH, cut_shot, final_velocity, rack};
 use crate::support::{G, MU, R, run, scenario};
-use carom::engine::{self, About, Engine, Knob, Limits, Pace, Refusal, Role, Run, Setting};
+use carom::engine::{self, About, Engine, Knob, Limits, Name, Pace, Refusal, Role, Run, Setting};
 use carom::math::Vec3;
 use carom::physics::invariants::Invariant;
 use carom::scene::Scene;
@@ -19,13 +19,13 @@ fn balls_of_unequal_radii_are_refused_only_where_they_can_meet() {
     scene.balls[1].radius = 0.5 * R;
     scene.balls[1].state.position.z = 0.5 * R;
     for (id, _) in BOTH {
-        let engine = engine::find(id).unwrap();
+        let engine = crate::support::find(id).unwrap();
         let missing = engine.missing(&scene);
         assert!(
             missing.len() == 1 && missing[0].contains("unequal radii"),
             "{id}: {missing:?}"
         );
-        let refused = engine::prepare(engine, &scene, &Setting::default());
+        let refused = engine::prepare(engine.as_ref(), &scene, &Setting::default());
         assert!(
             matches!(refused, Err(Refusal::NotComparable { .. })),
             "{id}"
@@ -33,7 +33,7 @@ fn balls_of_unequal_radii_are_refused_only_where_they_can_meet() {
         let mut apart = scene.clone();
         apart.effects.contact = None;
         assert!(
-            engine::prepare(engine, &apart, &Setting::default()).is_ok(),
+            engine::prepare(engine.as_ref(), &apart, &Setting::default()).is_ok(),
             "{id}"
         );
     }
@@ -50,9 +50,9 @@ fn numbers_that_its_arithmetic_cannot_hold_are_refused() {
     for (what, change) in changes {
         let mut scene = cut_shot(0.0, 1.0, 1.0).cloth(MU).build();
         change(&mut scene);
-        let single = engine::find("rapier-f32").unwrap();
+        let single = crate::support::find("rapier-f32").unwrap();
         assert!(!single.missing(&scene).is_empty(), "{what} fits into f32");
-        let double = engine::find("rapier-f64").unwrap();
+        let double = crate::support::find("rapier-f64").unwrap();
         assert!(
             double.missing(&scene).is_empty(),
             "{what} does not fit into f64"
@@ -148,8 +148,8 @@ fn a_run_ends_at_rest_or_at_its_duration_or_when_cancelled() {
             max_events: 1000,
             cancelled: &cancelled,
         };
-        let engine = engine::find(id).unwrap();
-        let run = engine::prepare(engine, &scene, &Setting::default()).unwrap();
+        let engine = crate::support::find(id).unwrap();
+        let run = engine::prepare(engine.as_ref(), &scene, &Setting::default()).unwrap();
         let trace = run.simulate(Record::Events, &limits);
         assert_eq!(
             (trace.ending, trace.end_time),
@@ -194,7 +194,7 @@ struct Tampering {
 }
 
 impl Engine for Tampering {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> &str {
         "tampering"
     }
     fn version(&self) -> String {
@@ -206,20 +206,20 @@ impl Engine for Tampering {
     fn knobs(&self) -> Vec<Knob> {
         self.real.knobs()
     }
-    fn missing(&self, _scene: &Scene) -> Vec<&'static str> {
+    fn missing(&self, _scene: &Scene) -> Vec<Name> {
         Vec::new()
     }
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
         self.real.promises(scene, setting)
     }
-    fn ladders(&self) -> Vec<(&'static str, Vec<Setting>)> {
+    fn ladders(&self) -> Vec<(Name, Vec<Setting>)> {
         Vec::new()
     }
     fn pace(&self, scene: &Scene, setting: &Setting) -> Result<Pace, Refusal> {
         self.real.pace(scene, setting)
     }
 
-    fn remedies(&self, _scene: &Scene, _setting: &Setting) -> Vec<(&'static str, Setting)> {
+    fn ablations(&self, _scene: &Scene, _setting: &Setting) -> Vec<(Name, Setting)> {
         Vec::new()
     }
     fn prepare<'a>(&self, _: &'a Scene, setting: &Setting) -> Result<Box<dyn Run + 'a>, Refusal> {
@@ -254,16 +254,16 @@ fn a_scene_that_did_not_arrive_is_refused_by_the_audit() {
         }),
     ];
     for (id, _) in BOTH {
-        let real = engine::find(id).unwrap();
+        let real = crate::support::find(id).unwrap();
         assert!(
-            engine::prepare(real, &scene, &Setting::default()).is_ok(),
+            engine::prepare(real.as_ref(), &scene, &Setting::default()).is_ok(),
             "{id}"
         );
         for (what, change) in changes {
             let mut other = scene.clone();
             change(&mut other);
             let tampering = Tampering {
-                real,
+                real: real.as_ref(),
                 scene: Box::leak(Box::new(other)),
             };
             let Err(Refusal::Audit { differs }) =
@@ -284,8 +284,8 @@ fn the_sheet_names_every_role_and_reads_its_values_from_inside() {
         .cushions(9.0, 9.0)
         .build();
     for (id, _) in BOTH {
-        let engine = engine::find(id).unwrap();
-        let run = engine::prepare(engine, &scene, &Setting::default()).unwrap();
+        let engine = crate::support::find(id).unwrap();
+        let run = engine::prepare(engine.as_ref(), &scene, &Setting::default()).unwrap();
         let sheet = run.sheet();
         for role in Role::ALL {
             assert!(
@@ -330,7 +330,7 @@ fn momentum_is_promised_unless_balls_may_sleep() {
         .build();
     let p0 = 0.107 * 10.0;
     for (id, tolerance) in BOTH {
-        let engine = engine::find(id).unwrap();
+        let engine = crate::support::find(id).unwrap();
         for settings in [
             &[][..],
             &["dt=0.016666666666666666"],

@@ -304,7 +304,7 @@ fn stock_rapier_caps_the_rotation_and_a_fast_ball_never_rolls_as_it_should() {
         let law = 5.0 * 5.0 / 7.0;
         assert!(v < 0.75 * law, "{engine}: {v}, law {law}");
         let sheet = engine::prepare(
-            engine::find(engine).unwrap(),
+            crate::support::find(engine).unwrap().as_ref(),
             &scene,
             &Setting::parse(["preset=stock"]).unwrap(),
         );
@@ -446,7 +446,7 @@ fn every_law_but_the_cushions_of_a_paper_is_simulated() {
         },
     ];
     for (id, _) in BOTH {
-        let rapier = engine::find(id).unwrap();
+        let rapier = crate::support::find(id).unwrap();
         assert_eq!(rapier.missing(&everything()), [""; 0], "{id}");
         for law in paper {
             let mut scene = everything();
@@ -460,7 +460,12 @@ fn every_law_but_the_cushions_of_a_paper_is_simulated() {
 fn the_sheet_says_what_is_added_to_rapier() {
     for (id, _) in BOTH {
         let scene = everything();
-        let run = engine::prepare(engine::find(id).unwrap(), &scene, &Setting::default()).unwrap();
+        let run = engine::prepare(
+            crate::support::find(id).unwrap().as_ref(),
+            &scene,
+            &Setting::default(),
+        )
+        .unwrap();
         let sheet = run.sheet();
         for role in Role::ALL {
             assert!(

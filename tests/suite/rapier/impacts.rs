@@ -375,7 +375,7 @@ fn friction_of_a_rolling_ball_makes_it_hop_where_the_laws_drop_the_vertical_velo
 #[test]
 fn the_audit_finds_the_materials_of_the_scene_whichever_is_larger() {
     for (id, _) in BOTH {
-        let rapier = engine::find(id).unwrap();
+        let rapier = crate::support::find(id).unwrap();
         for mu_slide in [0.0, 0.05, 0.4] {
             for mu in [0.0, 0.05, 0.3] {
                 for (balls, cushion) in [(0.0, 0.9), (0.9, 0.0), (0.5, 0.5), (1.0, 0.7)] {
@@ -388,7 +388,7 @@ fn the_audit_finds_the_materials_of_the_scene_whichever_is_larger() {
                     scene.effects.friction = Some(Friction::Constant { mu });
                     scene.effects.contact = Some(Contact::Inelastic { e: balls });
                     scene.effects.cushion = Some(Cushion::Restitution { e: cushion });
-                    let prepared = engine::prepare(rapier, &scene, &Setting::default());
+                    let prepared = engine::prepare(rapier.as_ref(), &scene, &Setting::default());
                     assert!(
                         prepared.is_ok(),
                         "{id}: mu {mu_slide}, {mu}, e {balls}, {cushion}: {:?}",
@@ -405,7 +405,12 @@ fn a_scene_without_turning_balls_is_told_of_nothing_that_is_added() {
     let cue = scenario("break").moving("cue", [0.0, -1.0], [0.0, 5.0]);
     let scene = rack(cue, [0.0, 0.0], 2, 1e-3).cloth(0.2).build();
     for (id, _) in BOTH {
-        let run = engine::prepare(engine::find(id).unwrap(), &scene, &Setting::default()).unwrap();
+        let run = engine::prepare(
+            crate::support::find(id).unwrap().as_ref(),
+            &scene,
+            &Setting::default(),
+        )
+        .unwrap();
         let sheet = run.sheet();
         assert!(!sheet.is_empty(), "{id}");
         let added = sheet.iter().find(|row| row.name.contains("explicit"));

@@ -24,9 +24,9 @@ fn effective(engine: &str, settings: &[&str]) -> BTreeMap<String, Value> {
 
 fn refusal(engine: &str, settings: &[&str], scene: &Scene) -> String {
     let setting = Setting::parse(settings.iter().copied()).unwrap();
-    let engine = engine::find(engine).unwrap();
-    match engine::prepare(engine, scene, &setting) {
-        Err(Refusal::Setting { message }) => message,
+    let engine = crate::support::find(engine).unwrap();
+    match engine::prepare(engine.as_ref(), scene, &setting) {
+        Err(Refusal::Setting { message, .. }) => message,
         Err(other) => panic!("{settings:?}: refused for another reason: {other}"),
         Ok(_) => panic!("{settings:?}: not refused"),
     }
@@ -50,7 +50,7 @@ fn the_default_preset_is_the_equivalent_scene() {
         for (key, value) in expected {
             assert_eq!(got[key], value, "{engine}: {key}");
         }
-        let knobs: Vec<String> = engine::find(engine)
+        let knobs: Vec<String> = crate::support::find(engine)
             .unwrap()
             .knobs()
             .into_iter()
@@ -123,7 +123,7 @@ const OTHER: [(&str, &str); 24] = [
 #[test]
 fn every_knob_is_described_accepted_and_printed() {
     for (id, _) in BOTH {
-        let engine = engine::find(id).unwrap();
+        let engine = crate::support::find(id).unwrap();
         let knobs = engine.knobs();
         assert_eq!(
             knobs.len(),
@@ -132,7 +132,7 @@ fn every_knob_is_described_accepted_and_printed() {
         );
         let scene = slide();
         let sheet = |setting: &Setting| {
-            let run = engine::prepare(engine, &scene, setting).unwrap();
+            let run = engine::prepare(engine.as_ref(), &scene, setting).unwrap();
             let rows = run.sheet();
             let text = rows
                 .iter()
@@ -286,9 +286,9 @@ fn what_cannot_run_is_refused_in_a_sentence() {
 #[test]
 fn every_rung_of_every_ladder_can_run() {
     for (id, _) in BOTH {
-        let engine = engine::find(id).unwrap();
+        let engine = crate::support::find(id).unwrap();
         let ladders = engine.ladders();
-        let names: Vec<&str> = ladders.iter().map(|(name, _)| *name).collect();
+        let names: Vec<&str> = ladders.iter().map(|(name, _)| name.as_ref()).collect();
         for name in [
             "converging",
             "substeps",
@@ -303,7 +303,7 @@ fn every_rung_of_every_ladder_can_run() {
             assert!(rungs.len() > 3, "{id}, {name}");
             for setting in rungs {
                 let scene = slide();
-                if let Err(refusal) = engine::prepare(engine, &scene, &setting) {
+                if let Err(refusal) = engine::prepare(engine.as_ref(), &scene, &setting) {
                     panic!("{id}, {name}, {setting}: {refusal}");
                 }
             }
@@ -329,15 +329,21 @@ fn remedies_are_those_for_what_can_go_wrong_in_the_scene() {
     ] {
         let scene = carom::scene::catalogue::scene(name).unwrap();
         for (engine, _) in BOTH {
-            let remedies = engine::find(engine).unwrap().remedies(&scene, &stock);
-            let found: BTreeSet<&str> = remedies.iter().map(|(what, _)| *what).collect();
+            let remedies = crate::support::find(engine)
+                .unwrap()
+                .ablations(&scene, &stock);
+            let found: BTreeSet<&str> = remedies.iter().map(|(what, _)| what.as_ref()).collect();
             let expected: BTreeSet<&str> = ["sleep", "the time step"]
                 .into_iter()
                 .chain(more.clone())
                 .collect();
             assert_eq!(found, expected, "{engine} in {name}");
             for (what, setting) in remedies {
-                let prepared = engine::prepare(engine::find(engine).unwrap(), &scene, &setting);
+                let prepared = engine::prepare(
+                    crate::support::find(engine).unwrap().as_ref(),
+                    &scene,
+                    &setting,
+                );
                 assert!(prepared.is_ok(), "{engine} in {name}: {what}: {setting}");
             }
         }

@@ -11,8 +11,11 @@ use std::sync::atomic::AtomicBool;
 
 /// A scene compared in the engines of a list, or in those of a report.
 fn compared(scene: &Scene, engines: Option<&str>) -> Outcome {
-    let named = engines.map_or_else(compare::default_columns, |list| Column::list(list).unwrap());
-    let columns: Vec<Column> = compare::plan(&named)
+    let named = engines.map_or_else(
+        || compare::default_columns(crate::support::roster()),
+        |list| Column::list(crate::support::roster(), list).unwrap(),
+    );
+    let columns: Vec<Column> = compare::plan(crate::support::roster(), &named)
         .iter()
         .map(|column| column.as_tried(scene))
         .collect();

@@ -2,7 +2,7 @@
 
 use super::random::SIGNS;
 use super::sample;
-use carom::engine::{self, Setting};
+use carom::engine::Setting;
 use carom::finding::{Axis, Block, Cell, Document, Figure, Mark, Series, Style};
 use carom::report::{self, svg};
 use carom::scene::catalogue;
@@ -139,7 +139,7 @@ fn figures(document: &Document, into: &mut Vec<Figure>) {
 }
 
 fn column(engine: &str) -> Column {
-    Column::of(engine::find(engine).unwrap())
+    Column::of(crate::support::find(engine).unwrap())
 }
 
 /// Figures of every kind that the program draws, flat and far tables among them.
@@ -178,6 +178,7 @@ fn drawn() -> Vec<Figure> {
     figures(&curves::study(&columns, watch()).unwrap(), &mut found);
     let names = ["thin-cut-1e-2", "report-break-frozen", "through-a-ball"];
     let question = stability::Question {
+        roster: crate::support::roster().clone(),
         scenes: names.map(|name| catalogue::scene(name).unwrap()).to_vec(),
         presets: columns.to_vec(),
         full: false,

@@ -19,9 +19,9 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 fn columns(labels: &[&str]) -> Vec<Column> {
     let column = |label: &&str| {
         let mut words = label.split(' ');
-        let engine = engine::find(words.next().unwrap()).unwrap();
+        let engine = crate::support::find(words.next().unwrap()).unwrap();
         let setting = engine::Setting::parse(words).unwrap();
-        Column { engine, setting }
+        Column::with(engine, setting)
     };
     labels.iter().map(column).collect()
 }
@@ -30,9 +30,10 @@ fn columns(labels: &[&str]) -> Vec<Column> {
 fn outcome(scenes: &[&str], presets: &[&str]) -> Outcome {
     let scenes = scenes.iter().map(|name| catalogue::scene(name).unwrap());
     let question = Question {
+        roster: crate::support::roster().clone(),
         scenes: scenes.collect(),
         presets: match presets {
-            [] => stability::presets(),
+            [] => stability::presets(crate::support::roster()),
             named => columns(named),
         },
         full: false,

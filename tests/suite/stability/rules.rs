@@ -8,7 +8,7 @@ use carom::finding::{Tolerance, Verdict};
 use carom::gate::{Kind, Row, diff};
 use carom::math::Vec3;
 use carom::physics::invariants::Invariant;
-use carom::scene::{Scene, catalogue};
+use carom::scene::{Scene, SetName, catalogue};
 use carom::study::Watch;
 use carom::study::stability::{
     Allowance, Evidence, Judged, Judgement, Oracle, Question, RULES, judge, presets, rule, study,
@@ -357,7 +357,7 @@ fn our_models_break_no_promise_in_any_hard_case() {
         .iter()
         .filter(|entry| {
             let sets = entry.scene().unwrap().sets;
-            sets.iter().any(|s| s == "hard") && !sets.iter().any(|s| s == "full")
+            sets.contains(&SetName::Hard) && !sets.contains(&SetName::Full)
         })
         .map(|entry| entry.name)
         .collect();
@@ -428,8 +428,9 @@ fn a_matrix_that_is_stopped_says_so_and_keeps_what_it_has() {
         }
     };
     let question = Question {
+        roster: crate::support::roster().clone(),
         scenes: vec![catalogue::scene("head-on").unwrap()],
-        presets: presets(),
+        presets: presets(crate::support::roster()),
         full: false,
         pictures: false,
     };

@@ -2,7 +2,7 @@
 
 use super::{APPROACHING, G, M, MU, R, cloth, one_ball, pool, rolling, simulate, within};
 use crate::support::run;
-use carom::engine::{Setting, find, prepare};
+use carom::engine::{Setting, prepare};
 use carom::math::Vec3;
 use carom::physics::{Contact, Cushion, Effects, Friction, Pockets, State};
 use carom::scene::{Scene, Table};
@@ -200,9 +200,9 @@ fn with_rotation_too_unexplained_is_at_most_a_h_dt_over_2() {
 #[test]
 fn every_law_arrives_inside_and_stands_on_the_sheet() {
     let scene = busy();
-    let stepper = find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     assert_eq!(stepper.missing(&scene), Vec::<&str>::new());
-    let prepared = prepare(stepper, &scene, &Setting::default()).unwrap();
+    let prepared = prepare(stepper.as_ref(), &scene, &Setting::default()).unwrap();
     for inertia in prepared.inside().inertia {
         within(
             "moment of inertia",

@@ -21,7 +21,7 @@ fn scene(name: &str) -> Scene {
 }
 
 fn columns(list: &str) -> Vec<Column> {
-    Column::list(list).unwrap()
+    Column::list(crate::support::roster(), list).unwrap()
 }
 
 /// Whether a document says first that it was stopped; where it does, in words that name how much was done.
@@ -42,7 +42,10 @@ fn tables(document: &Document) -> BTreeMap<String, usize> {
 
 #[test]
 fn the_matrix_gives_no_trace_that_was_cut_short() {
-    let (scene, columns) = (scene("report-break"), default_columns());
+    let (scene, columns) = (
+        scene("report-break"),
+        default_columns(crate::support::roster()),
+    );
     let stop = AtomicBool::new(true);
     let limits = Limits {
         cancelled: &stop,
@@ -80,7 +83,10 @@ fn all_among(found: &[Finding], whole: &[Finding], case: &str) {
 fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
     let scene = scene("head-on");
     // the exact one first, and each alone, so that they run one after the other
-    let list = compare::plan(&default_columns());
+    let list = compare::plan(
+        crate::support::roster(),
+        &default_columns(crate::support::roster()),
+    );
     let ask = |watch: Watch<'_>| compare::study(&scene, None, &list, Timing::Alone, watch);
     let whole = undisturbed(ask);
     let all = whole.entries.len();
@@ -110,7 +116,7 @@ fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
         );
         assert!(outcome.horizon.is_none(), "{case}");
         all_among(&outcome.findings, &whole.findings, &case);
-        assert_eq!(outcome.was_stopped("exact"), k == 0, "{case}");
+        assert_eq!(outcome.was_stopped(), k == 0, "{case}");
         // after the last engine the horizon is still open
         assert!(outcome.extent.is_cut_short(), "{case}");
         says_so(&compare::page(&outcome), true, &case);
@@ -249,7 +255,9 @@ fn curves_are_whole_or_not_there() {
 fn cost_judges_only_ladders_that_were_run_from_every_start() {
     let scene = scene("head-on");
     let named = columns("exact,stepper");
-    let ask = |watch: Watch<'_>| cost::study(&scene, &named, Grid::Small, watch);
+    let ask = |watch: Watch<'_>| {
+        cost::study(crate::support::roster(), &scene, &named, Grid::Small, watch)
+    };
     let whole = undisturbed(ask);
     says_so(&cost::page(&whole), false, "whole");
     assert!(!whole.stopped && whole.families.iter().all(|m| m.whole));
@@ -317,7 +325,7 @@ fn random_scenes_count_where_every_engine_ran_them() {
 
 #[test]
 fn mutated_inputs_count_once_they_were_read() {
-    let examples = mutation::Examples::new().unwrap();
+    let examples = mutation::Examples::new(crate::support::roster()).unwrap();
     let plan = mutation::Plan {
         first: 0,
         inputs: 640,
@@ -333,6 +341,7 @@ fn mutated_inputs_count_once_they_were_read() {
 fn hard_cases_are_judged_by_whole_runs() {
     let ask = |watch: Watch<'_>| {
         let question = stability::Question {
+            roster: crate::support::roster().clone(),
             scenes: vec![scene("head-on"), scene("slide")],
             presets: columns("exact,stepper"),
             full: false,
@@ -357,7 +366,15 @@ fn hard_cases_are_judged_by_whole_runs() {
 #[test]
 fn a_check_finds_what_whole_runs_say() {
     let scenes = [scene("head-on"), scene("slide")];
-    let ask = |watch: Watch<'_>| check::study(&scenes, &default_columns(), watch).unwrap();
+    let ask = |watch: Watch<'_>| {
+        check::study(
+            crate::support::roster(),
+            &scenes,
+            &default_columns(crate::support::roster()),
+            watch,
+        )
+        .unwrap()
+    };
     let whole = undisturbed(ask);
     let none = |_: &str, _: &str, _: check::Level| check::Against::Changed(0);
     says_so(&check::summary(&whole, &none), false, "whole");
@@ -377,7 +394,9 @@ fn a_check_finds_what_whole_runs_say() {
 fn a_report_has_the_scenes_that_were_compared_to_the_end() {
     let scenes = [scene("head-on"), scene("slide"), scene("three-ball")];
     let list = columns("exact,stepper");
-    let ask = |watch: Watch<'_>| validation::study(&scenes, &list, &[], watch).unwrap();
+    let ask = |watch: Watch<'_>| {
+        validation::study(crate::support::roster(), &scenes, &list, &[], watch).unwrap()
+    };
     // it is told which scene comes next, then that the claims do
     for k in 0..=4 {
         let case = format!("stopped after {k}");

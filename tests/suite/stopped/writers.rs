@@ -1,7 +1,7 @@
 //! Where a document says that it was stopped early: first, in every format and on every page; and what a trace's files say.
 
 use super::STOPPED;
-use carom::engine::{Limits, find, prepare};
+use carom::engine::{Limits, prepare};
 use carom::finding::{Block, Column, Document, Table};
 use carom::report::{FORMATS, render, site};
 use carom::scene::catalogue;
@@ -100,7 +100,12 @@ fn traced(engine: &str, stop: bool) -> Trace {
         cancelled: &stop,
         ..Limits::NONE
     };
-    let run = prepare(find(engine).unwrap(), &scene, &Default::default()).unwrap();
+    let run = prepare(
+        crate::support::find(engine).unwrap().as_ref(),
+        &scene,
+        &Default::default(),
+    )
+    .unwrap();
     run.simulate(Record::Every(0.01), &limits)
 }
 

@@ -318,7 +318,7 @@ fn pocketed_balls_leave_the_search_and_the_order_of_the_others_alone() {
 
 #[test]
 fn allocations_of_many_balls_do_not_depend_on_the_number_of_steps() {
-    let stepper = carom::engine::find("stepper").unwrap();
+    let stepper = crate::support::find("stepper").unwrap();
     let discs = Discs {
         balls: 500,
         density: 0.5,
@@ -331,7 +331,7 @@ fn allocations_of_many_balls_do_not_depend_on_the_number_of_steps() {
         let dt = 1e-2;
         let scene = discs.scene(steps, dt);
         let setting = carom::engine::Setting::default().with("dt", dt);
-        let run = carom::engine::prepare(stepper, &scene, &setting).unwrap();
+        let run = carom::engine::prepare(stepper.as_ref(), &scene, &setting).unwrap();
         let count = allocation_counter::measure(|| {
             run.simulate(Record::Final, &carom::engine::Limits::NONE);
         });

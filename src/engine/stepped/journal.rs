@@ -1,11 +1,11 @@
 //! Turns the states before and after each step, and the impulses in between, into events, knots and extrema.
 //!
-//! rapier reports contacts when they are near, not when they act, so an impact is what changed a velocity: a contact
+//! Engines report contacts when they are near, not when they act, so an impact is what changed a velocity: a contact
 //! impulse worth more than rounding. Both sides of an impact are written at the end of the step in which it fell, at the
-//! position that rapier has there: the near side with the velocity that the ball would have had without the impact, the
+//! position that the engine has there: the near side with the velocity that the ball would have had without the impact, the
 //! far side with the one that it has. A third knot pins the state at the start of that step.
 //!
-//! rapier finds a hit with the first substep that could reach it and reverses velocities once, after the last substep: an
+//! An engine of substeps finds a hit with the first substep that could reach it and reverses velocities once, after the last: an
 //! event is up to a step late, and up to a substep early, against the motion that it interrupts.
 //!
 //! What these knots leave unexplained is then known. While a ball slides, every substep h moves it with the velocity at the
@@ -19,18 +19,19 @@
 //! velocity at the end of a step is anything up to g dt with a mean of zero: g dt times the time between two records more.
 //! A hit that is not reported leaves |jump|/2 times the whole time to the next knot.
 //!
-//! Counters: `contacts` (impulses, also those below rounding), `exchanges` (those above it), `unattributed` (changes of a
-//! ball's velocity in a step that neither contacts nor the cloth explain: sleep and the speed cap; 0 otherwise).
+//! Counters: [`Counter::Contacts`] (impulses, also those below rounding), [`Counter::Exchanges`] (those above it),
+//! [`Counter::Unattributed`] (changes of a ball's velocity that neither they nor the cloth explain).
 
-use super::cloth::{Felt, Load, is_aloft, lever, rest_speed, top_speed};
-use super::interface::{Other, Push};
+use super::clock::Span;
+use super::cloth::{Felt, Load, is_aloft, lever};
+use super::rest::{rest_speed, top_speed};
+use super::world::{Other, Push};
 use crate::math::Vec3;
 use crate::math::near::Near;
 use crate::physics::invariants::kinetic_energy;
 use crate::physics::{Motion, Side, State, friction, pockets};
 use crate::scene::Scene;
-use crate::trace::{Ending, EventKind, Provenance, Record, Recorder, Trace};
-use std::collections::BTreeMap;
+use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Trace};
 
 /// An impulse counts once it changes a velocity by this many ulp of the largest speed: warm starting adds an old impulse
 /// and takes it away again, a handful of operations on numbers of that size.
@@ -38,13 +39,6 @@ const ROUNDING_ULPS: f64 = 16.0;
 
 /// What squares and roots may round a distance by, relative.
 const ROUNDING: f64 = 1e-12;
-
-/// One step, s.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
-    pub start: f64,
-    pub end: f64,
-}
 
 /// A contact from its first exchange until a step without one.
 struct Episode {
@@ -193,7 +187,7 @@ impl<'a> Journal<'a> {
         &self.left
     }
 
-    /// What acts on a ball besides rapier's own forces in a step of `dt` that begins in `state`.
+    /// What acts on a ball besides the engine's own forces in a step of `dt` that begins in `state`.
     pub fn load(&self, ball: usize, state: &State, dt: f64) -> Load {
         if self.aloft[ball] || !self.in_play[ball] {
             return Load::NONE;
@@ -203,7 +197,7 @@ impl<'a> Journal<'a> {
         self.felt.load(state, slides, body.mass, body.radius, dt)
     }
 
-    /// True when the scene has a cloth that does what rapier lacks.
+    /// True when the scene has a cloth of which an engine may lack something.
     pub fn loads(&self) -> bool {
         self.felt.rotational().is_some()
     }
@@ -258,16 +252,12 @@ impl<'a> Journal<'a> {
         substeps: u64,
     ) -> Trace {
         let counters = [
-            ("steps", steps),
-            ("substeps", substeps),
-            ("contacts", self.contacts),
-            ("exchanges", self.exchanges),
-            ("unattributed", self.unattributed),
+            (Counter::Steps, steps),
+            (Counter::Substeps, substeps),
+            (Counter::Contacts, self.contacts),
+            (Counter::Exchanges, self.exchanges),
+            (Counter::Unattributed, self.unattributed),
         ];
-        let counters: BTreeMap<String, u64> = counters
-            .into_iter()
-            .map(|(name, count)| (name.to_owned(), count))
-            .collect();
         self.recorder.finish(time, states, ending, counters)
     }
 
@@ -375,7 +365,7 @@ impl<'a> Journal<'a> {
         let near = self.near(span, before, after, ball);
         self.balls[ball].left -= 1;
         let mut far = after[ball];
-        // of several exchanges in one step the last ends in the velocity that rapier has
+        // of several exchanges in one step the last ends in the velocity that the engine has
         if self.balls[ball].left > 0 {
             far.velocity = near.velocity + impulse / self.scene.balls[ball].mass;
             far.spin = near.spin;

@@ -1,12 +1,13 @@
-//! The cloth under balls that rotate: what rapier does of it by itself, what is added as forces, and what a step that only the
+//! The cloth under balls that rotate: what an engine does of it by itself, what is added as loads, and what a step that only the
 //! cloth touches leaves of a motion.
 //!
-//! Sliding friction is rapier's: gravity presses the ball onto a half-space with the scene's coefficient, and the solver slows
-//! the ball, turns it, and holds it at rolling. Rolling resistance and the decay of spin about the vertical are not in rapier.
+//! Sliding friction is the engine's: gravity presses the ball onto a plane with the scene's coefficient, and the solver slows
+//! the ball, turns it, and holds it at rolling. Rolling resistance and the decay of spin about the vertical are in few engines.
 //! Both are applied once a step as a force at the centre and a torque, from the state at the start of the step, so they are
 //! first order in the step; neither takes more than what is there, so that they stop a ball and do not reverse it. Rolling
 //! resistance comes with the torque that keeps the ball rolling, so that friction has nothing to correct.
 
+use super::rest::slip_rest;
 use crate::math::Vec3;
 use crate::physics::cloth::rotational::{
     Coefficients, rolling, rolling_spin, slip_velocity, spin_deceleration,
@@ -16,22 +17,12 @@ use crate::physics::invariants::sphere_inertia;
 use crate::physics::{Cloth, Motion, State};
 use crate::scene::Scene;
 
-/// Speed at or below which a ball counts as stopped, length/s: `1e-6 sqrt(g R)`, and 0 where nothing slows a ball.
-pub(super) fn rest_speed(scene: &Scene) -> f64 {
-    match scene.effects.cloth {
-        Some(_) => 1e-6 * (scene.gravity * scene.smallest_radius()).sqrt(),
-        None => 0.0,
-    }
-}
-
-/// Slip speeds and spins that rapier cannot tell from zero are below this many ulp of the largest speed of the scene: its solver
-/// holds the velocity of the contact point to a handful of roundings in every substep.
-const ROLLING_ULPS: f64 = 64.0;
-
-/// A force at the centre, mass * length/s^2, and a torque, mass * length^2/s^2.
+/// What acts on a ball besides the engine's own forces: a force at its centre, and a torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Load {
+pub struct Load {
+    /// mass * length/s^2.
     pub force: Vec3,
+    /// mass * length^2/s^2.
     pub torque: Vec3,
 }
 
@@ -59,7 +50,7 @@ enum Law {
 }
 
 impl Felt {
-    /// The cloth of a scene. `ulp`: spacing of rapier's numbers just above 1.
+    /// The cloth of a scene. `ulp`: spacing of the engine's numbers just above 1.
     pub fn new(scene: &Scene, ulp: f64) -> Self {
         let gravity = scene.gravity;
         let law = match scene.effects.cloth {
@@ -102,7 +93,7 @@ impl Felt {
         radius * state.spin.z.abs() > self.slip_rest
     }
 
-    /// What rapier lacks, for a ball of `mass` and `radius` that is in `state` when a step of `dt` begins.
+    /// What an engine may lack, for a ball of `mass` and `radius` that is in `state` when a step of `dt` begins.
     pub fn load(&self, state: &State, slides: bool, mass: f64, radius: f64, dt: f64) -> Load {
         let Some(mu) = self.rotational() else {
             return Load::NONE;
@@ -159,7 +150,7 @@ impl Felt {
         }
     }
 
-    /// [`Felt::coast`] of a ball that rotates: what rapier's friction and the added load leave.
+    /// [`Felt::coast`] of a ball that rotates: what the engine's friction and the added load leave.
     fn turn_on(
         &self,
         state: &State,
@@ -186,11 +177,11 @@ impl Felt {
     }
 }
 
-/// Distance from the centre to the point at which rapier lets friction act on a ball, length.
+/// Distance from the centre to the point at which friction acts on a ball, length.
 ///
-/// That point is halfway between the cloth and the lowest point of the ball. The cloth is a soft constraint, so that a ball lies
-/// `g / (2 pi f)^2` deep in it, `f` the knob `static_contact_natural_frequency`, whatever the step: it rolls on a lever that is
-/// shorter by half of that than its radius. Slip is what rapier holds at zero, so it is taken at this point.
+/// Where the cloth is a soft constraint, a ball lies deep in it: by `g / (2 pi f)^2` in one of natural frequency `f`, whatever the
+/// step. The point is then halfway between the cloth and the lowest point of the ball, which rolls on a lever that is shorter by half
+/// of that depth than its radius. Slip is what the engine holds at zero, so it is taken at this point.
 pub(super) fn lever(state: &State, radius: f64) -> f64 {
     0.5 * (radius + state.position.z.min(radius))
 }
@@ -199,24 +190,4 @@ pub(super) fn lever(state: &State, radius: f64) -> f64 {
 pub(super) fn is_aloft(state: &State, radius: f64) -> bool {
     // a position in f32 rounds by 1e-7 at most
     state.position.z > radius * (1.0 + 1e-6)
-}
-
-/// Slip speed, and surface speed by spin about the vertical, at or below which there is none, length/s: the speed below which a
-/// ball counts as stopped, or what rounding leaves where that is more.
-pub(super) fn slip_rest(scene: &Scene, ulp: f64) -> f64 {
-    rest_speed(scene).max(ROLLING_ULPS * ulp * top_speed(scene))
-}
-
-/// An upper bound of the speeds that a scene starts with, length/s: of centres, and of surfaces where balls rotate.
-pub(super) fn top_speed(scene: &Scene) -> f64 {
-    let rotates = scene.effects.rotates();
-    let surface = |ball: &crate::scene::Ball| {
-        let turning = if rotates {
-            ball.radius * ball.state.spin.norm()
-        } else {
-            0.0
-        };
-        ball.state.speed() + turning
-    };
-    scene.balls.iter().map(surface).fold(0.0, f64::max)
 }
