@@ -20,6 +20,7 @@ pub mod engine;
 pub mod finding;
 pub mod gate;
 pub mod math;
+pub mod oracle;
 pub mod physics;
 pub mod report;
 pub mod scene;

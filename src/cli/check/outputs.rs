@@ -2,6 +2,7 @@
 
 use crate::cli::accepted::Place;
 use crate::gate::{Change, Held};
+use crate::oracle;
 use crate::scene::printable;
 use crate::study::check::{Case, Level, ORACLE, State, random_command};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
@@ -156,7 +157,7 @@ fn with_advice(
         lines.push(held.since(&case.scene, &case.engine));
     }
     let engine = if case.engine == ORACLE {
-        "exact".to_owned()
+        oracle::engine().id().to_owned()
     } else {
         case.engine.replace(' ', ":")
     };

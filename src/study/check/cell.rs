@@ -5,11 +5,12 @@ use super::promises::{self, Broken};
 use super::{bits, unit_of};
 use crate::compare::{self, Comparison, Parting};
 use crate::finding::{Finding, Verdict};
+use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::describe_kind;
 use crate::study::matrix::{Column, Runner};
-use crate::study::stability::{Oracle, examine};
+use crate::study::stability::examine;
 use crate::trace::{Event, Record, Trace};
 
 /// Time between two recorded samples of a stepping engine, s of simulated time.

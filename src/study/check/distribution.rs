@@ -2,9 +2,9 @@
 
 use super::held::{COMPLETE, KS, QUANTILE};
 use super::{cell, unit_of};
-use crate::engine::exact::Exact;
 use crate::finding::Finding;
 use crate::math::statistics::{Distribution, kolmogorov_smirnov};
+use crate::oracle;
 use crate::scene::Scene;
 use crate::scene::perturb::{Law, Perturbation};
 use crate::study::ensemble::{Landing, Quantity};
@@ -42,7 +42,7 @@ impl Ensemble {
 
     /// Where every sample ends in a column, or in the exact engine; `None` for one that has no complete run.
     pub fn run(&self, column: Option<&Column>, runner: Runner<'_>) -> Vec<Option<Landing>> {
-        let exact = Column::of(&Exact);
+        let exact = Column::of(oracle::engine());
         let column = column.unwrap_or(&exact);
         let landing = |index: usize| {
             let sample = self.0.sample(SEED, index as u64);

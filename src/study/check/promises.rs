@@ -7,12 +7,13 @@ use super::Level;
 use super::held::PROMISE;
 use crate::finding::{Finding, Verdict};
 use crate::math::{Vec3, within, worse};
+use crate::oracle::Oracle;
 use crate::physics::Friction;
 use crate::physics::State;
 use crate::physics::invariants::{Invariant, kinetic_energy};
 use crate::scene::{Scene, Table};
 use crate::study::matrix::{Column, Runner};
-use crate::study::stability::{Examined, Oracle, RULES, apart};
+use crate::study::stability::{Examined, RULES, apart};
 use crate::trace::{EventKind, Record, Trace};
 use std::collections::BTreeMap;
 

@@ -1,13 +1,13 @@
 //! One cell: its runs, its evidence, its verdict.
 
 use super::images::{is_reversible, mirror, mirrored, relabelled, reversed};
-use super::oracle::{Allowance, Oracle};
 use super::plan::{MOST_EVENTS, Planned};
 use super::rules::{Evidence, Judgement, Place, RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
 use crate::engine::{Refusal, Role};
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
 use crate::math::{Vec3, worse};
+use crate::oracle::{Allowance, Oracle};
 use crate::physics::State;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;

@@ -5,10 +5,10 @@
 
 use super::against;
 use super::images::{is_finite, is_reversible};
-use super::oracle::{Allowance, Oracle, fastest};
 use crate::compare::Comparison;
 use crate::finding::{Hold, Tolerance, Verdict};
 use crate::math::{within, worse};
+use crate::oracle::{self, Allowance, Oracle, fastest};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Cloth, State};
 use crate::scene::Scene;
@@ -661,7 +661,7 @@ fn answer(e: &Evidence<'_>) -> Option<Judgement> {
             Verdict::Indeterminate,
             None,
             None,
-            "the exact engine has nothing to hold it against".to_owned(),
+            oracle::NOTHING.to_owned(),
         )),
         Some(oracle) if !oracle.is_complete() => {
             by("no answer to hold it against: exact", &oracle.trace)

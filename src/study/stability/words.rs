@@ -3,6 +3,7 @@
 use super::plan::Role;
 use super::{Case, Outcome, Reach};
 use crate::finding::Verdict;
+use crate::oracle;
 
 /// One word of a verdict, short enough for a matrix of seven columns.
 pub fn word(verdict: Verdict) -> &'static str {
@@ -56,7 +57,7 @@ fn own_models(outcome: &Outcome) -> String {
         let rule = column.setting.values.get("contact").map(String::as_str);
         column.engine.id() == "stepper" && rule == Some("approaching-only")
     };
-    let exact = |case: &Case| case.planned.column.engine.id() == "exact";
+    let exact = |case: &Case| oracle::is_reference(case.planned.column.engine);
     let promises = outcome.broken_promises().len();
     let promised = match promises {
         0 if outcome.is_cut_short() => "Nothing that ran breaks a promise".to_owned(),

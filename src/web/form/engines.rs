@@ -1,6 +1,7 @@
 //! Which engines run, with which step: boxes to tick, one step an engine that has one, and a line for anything else.
 
 use crate::engine::{ENGINES, Refusal};
+use crate::oracle;
 use crate::scene::Scene;
 use crate::study::Column;
 use crate::study::compare::{default_columns, plan};
@@ -63,7 +64,7 @@ impl Engines {
             let spec = spec(&column);
             Tick {
                 // the exact engine is what the others are held against: it always runs
-                ticked: named.is_empty() || named.contains(&spec) || spec == "exact",
+                ticked: named.is_empty() || named.contains(&spec) || spec == oracle::engine().id(),
                 label: column.label(),
                 method: column.engine.about().method,
                 spec,

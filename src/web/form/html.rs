@@ -3,6 +3,7 @@
 use super::engines::{ENGINE, Engines, MORE, STEP};
 use super::five::{FIVE, Input};
 use super::{Choice, Field, Form, GIVEN, Kind, Law, NONE, Node};
+use crate::oracle;
 use crate::report::html::inline;
 use crate::report::svg::escape;
 use crate::web::problem::Problem;
@@ -350,11 +351,12 @@ impl Writer<'_> {
         let mut html = "<fieldset><legend class=\"sr\">Engines to run</legend>\n".to_owned();
         for known in &engines.boxes {
             let element = id(&format!("{ENGINE}-{}", known.spec));
-            let (ticked, always) = match (known.spec.as_str(), known.ticked) {
+            let reference = known.spec == oracle::engine().id();
+            let (ticked, always) = match (reference, known.ticked) {
                 // a box that cannot be changed is not sent
-                ("exact", _) => (" checked disabled", " · always runs: the reference"),
-                (_, true) => (" checked", ""),
-                (_, false) => ("", ""),
+                (true, _) => (" checked disabled", " · always runs: the reference"),
+                (false, true) => (" checked", ""),
+                (false, false) => ("", ""),
             };
             html += &format!(
                 "<div class=\"tick\"><input type=\"checkbox\" id=\"{element}\" name=\"{ENGINE}\" value=\"{}\"{ticked} aria-describedby=\"hint-{element}\">\
@@ -364,7 +366,10 @@ impl Writer<'_> {
                 escape(known.method)
             );
         }
-        html += &format!("<input type=\"hidden\" name=\"{ENGINE}\" value=\"exact\">\n");
+        html += &format!(
+            "<input type=\"hidden\" name=\"{ENGINE}\" value=\"{}\">\n",
+            oracle::engine().id()
+        );
         for step in &engines.steps {
             let name = format!("{STEP}{}", step.engine);
             let kind = Kind::Number {
