@@ -21,6 +21,7 @@ pub mod finding;
 pub mod gate;
 pub mod law;
 pub mod math;
+pub mod oracle;
 pub mod physics;
 pub mod report;
 pub mod scene;

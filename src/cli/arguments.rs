@@ -2,8 +2,8 @@
 
 use super::Failure;
 use super::scene::SceneCommand;
-use crate::engine::exact::Precision;
 use crate::engine::{Limits, Preset, Roster};
+use crate::oracle::Precision;
 use crate::report::FORMATS;
 use crate::study::Column;
 use crate::study::cost::Grid;

@@ -2,7 +2,7 @@
 
 use super::arguments::HorizonArguments;
 use super::{Failure, publish, scene, terminal};
-use crate::engine::exact::Precision;
+use crate::oracle::Precision;
 use crate::study::horizon;
 use std::process::ExitCode;
 

@@ -1,10 +1,8 @@
 //! Pictures of how far a run can be believed: how a perturbation of the start grows, how sure the place of each event is, and how
 //! far two precisions are apart. One room, because the page of a horizon and the page of a scene show the same.
 
-use crate::engine::exact::Precision;
-use crate::engine::exact::horizon::{BAND, Horizon};
-use crate::engine::exact::sensitivity::Growth;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
+use crate::oracle::{BAND, Growth, Horizon, Precision};
 use crate::scene::Scene;
 
 /// Growth of a perturbation of the start over time, one point an event; `None` where nothing grows.

@@ -7,11 +7,9 @@ use super::certainty;
 use super::compare::{
     describe_ending, describe_growth, describe_kind, describe_scene, describe_span,
 };
-use crate::engine::exact::horizon::{BAND, Horizon, Limit, Sight, horizon};
-use crate::engine::exact::sensitivity::{Influence, influences};
-use crate::engine::exact::{Exact, Precision};
 use crate::engine::{Limits, Refusal, can_run};
 use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::oracle::{self, BAND, Horizon, Influence, Limit, Precision, Sight, horizon, influences};
 use crate::scene::Scene;
 use crate::trace::EventKind;
 use std::sync::atomic::AtomicBool;
@@ -25,7 +23,7 @@ pub fn study(
     precision: Precision,
     cancelled: &AtomicBool,
 ) -> Result<Document, Refusal> {
-    can_run(&Exact, scene)?;
+    can_run(oracle::engine().as_ref(), scene)?;
     let limits = Limits {
         cancelled,
         ..Limits::NONE
@@ -34,7 +32,7 @@ pub fn study(
         key: None,
         message: format!(
             "a horizon needs a precision with a finer one to be held against, and a scene of at most {} balls; this one has {}",
-            crate::engine::exact::horizon::MOST_BALLS,
+            oracle::MOST_BALLS,
             scene.balls.len()
         ),
     };

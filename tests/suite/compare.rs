@@ -3,10 +3,10 @@
 use crate::support::{G, MU, R, report_break, run, scenario};
 use approx::assert_relative_eq;
 use carom::compare::{Comparison, attribute, deepest_overlap, of_pair, of_trace, timing};
-use carom::engine::exact::Precision;
-use carom::engine::exact::horizon::{BAND, horizon};
 use carom::engine::{Limits, Setting};
 use carom::math::Vec3;
+use carom::oracle::Precision;
+use carom::oracle::{BAND, horizon};
 use carom::scene::{Scene, catalogue};
 use carom::study::compare::{Cause, Outcome, default_columns, plan, study};
 use carom::study::{Column, Timing, Watch};

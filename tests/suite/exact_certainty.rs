@@ -2,11 +2,11 @@
 
 use crate::support::{G, MU, R, report_break, run, scenario};
 use carom::engine::Limits;
-use carom::engine::exact::horizon::{BAND, Horizon, Limit, horizon};
 use carom::engine::exact::sensitivity::{Influence, Input, growth, influences};
 use carom::engine::exact::{Precision, Solution, solve};
 use carom::math::random::Draws;
 use carom::math::{DoubleDouble, Octuple, Real};
+use carom::oracle::{BAND, Horizon, Limit, horizon};
 use carom::physics::Cloth;
 use carom::scene::{Scene, catalogue};
 use carom::trace::{Ending, Record, Trace};

@@ -1,8 +1,8 @@
 //! What `carom horizon` says: the sentence, the tables, and that they agree with what the engine found.
 
 use carom::engine::Refusal;
-use carom::engine::exact::Precision;
 use carom::finding::{Block, Cell, Document, Figure, Table};
+use carom::oracle::Precision;
 use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Scene, catalogue, parse};
 use carom::study::horizon::study;

@@ -3,9 +3,9 @@
 use crate::support::run;
 use carom::compare::deepest_overlap;
 use carom::engine::Limits;
-use carom::engine::exact::Precision;
-use carom::engine::exact::horizon::{Limit, horizon};
 use carom::math::Vec3;
+use carom::oracle::Precision;
+use carom::oracle::{Limit, horizon};
 use carom::physics::cloth::rotational::{
     Coefficients, after_slide, natural_roll, roll_distance, roll_time, rolling_spin, slid,
     slide_time, slip_velocity, spin_time, spun_down,

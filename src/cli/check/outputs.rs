@@ -2,6 +2,7 @@
 
 use crate::cli::accepted::Place;
 use crate::gate::{Change, Held};
+use crate::oracle;
 use crate::scene::printable;
 use crate::study::check::{Case, Level, ORACLE, State, random_command};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
@@ -155,9 +156,8 @@ fn with_advice(
     if held.accepted_of(&case.scene).is_some() {
         lines.push(held.since(&case.scene, &case.engine));
     }
-    let reference = held.outcome.roster.reference();
     let engine = if case.engine == ORACLE {
-        reference.map_or(String::new(), |engine| engine.id().to_owned())
+        oracle::engine().id().to_owned()
     } else {
         case.engine.replace(' ', ":")
     };

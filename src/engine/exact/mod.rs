@@ -10,7 +10,8 @@
 //!   becomes of such an instant where the scene names a convention; `collapse`: when impacts without time passing are too many to be finite.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
-//!   `sensitivity` (growth, and what moves the balls) and, with a second precision, `horizon`; `auto` goes to more digits by it.
+//!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the
+//!   oracle's to say.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on
@@ -27,7 +28,6 @@ mod certainty;
 mod cluster_impact;
 mod collapse;
 pub mod flight;
-pub mod horizon;
 mod impact;
 mod journal;
 mod kinematics;
@@ -46,7 +46,7 @@ mod tangent;
 mod world;
 
 pub use agenda::Partners;
-pub use certainty::certify;
+pub use certainty::{MOST_BALLS, certify};
 pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};

@@ -6,11 +6,12 @@ use super::unit_of;
 use crate::compare::{self, Comparison, Parting};
 use crate::finding::{Finding, Verdict};
 use crate::law::rerun::digest;
+use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::{Scene, SetName};
 use crate::study::compare::describe_kind;
 use crate::study::matrix::{Column, Runner};
-use crate::study::stability::{Oracle, examine};
+use crate::study::stability::examine;
 use crate::trace::{Event, Record, Trace};
 
 /// Time between two recorded samples of a stepping engine, s of simulated time.

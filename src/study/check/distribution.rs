@@ -2,16 +2,14 @@
 
 use super::item::{COMPLETE, KS, QUANTILE};
 use super::unit_of;
-use crate::engine::Engine;
-use crate::engine::exact::Exact;
 use crate::finding::Finding;
 use crate::math::statistics::{Distribution, kolmogorov_smirnov};
+use crate::oracle;
 use crate::scene::Scene;
 use crate::scene::perturb::{Law, Perturbation};
 use crate::study::ensemble::{Landing, Quantity};
 use crate::study::matrix::{Column, Runner};
 use crate::trace::Record;
-use std::sync::Arc;
 
 /// Samples of an ensemble. Seed and index fix every one of them, so that their number sets what is seen and not how wide a bound is.
 pub const SAMPLES: usize = 100;
@@ -44,8 +42,7 @@ impl Ensemble {
 
     /// Where every sample ends in a column, or in the exact engine; `None` for one that has no complete run.
     pub fn run(&self, column: Option<&Column>, runner: Runner<'_>) -> Vec<Option<Landing>> {
-        let exact: Arc<dyn Engine> = Arc::new(Exact);
-        let exact = Column::of(&exact);
+        let exact = Column::of(oracle::engine());
         let column = column.unwrap_or(&exact);
         let landing = |index: usize| {
             let sample = self.0.sample(SEED, index as u64);

@@ -29,9 +29,10 @@ pub use written::{WRITTEN, ulp_of, unheld};
 use super::Extent;
 use super::ensemble::Landing;
 use super::matrix::{Column, Task, Watch, run_tasks};
-use super::stability::{Oracle, PlanError, ask_oracles, tried};
+use super::stability::{PlanError, ask_oracles, tried};
 use crate::engine::Roster;
 use crate::finding::{Finding, Tolerance};
+use crate::oracle::Oracle;
 use crate::scene::{Scene, SetName, Simultaneous};
 use std::collections::BTreeMap;
 use std::mem;
@@ -216,8 +217,7 @@ pub fn study(
 
 /// True where the scene has no single answer to its end: the horizon comes before, or it asks for an ensemble itself.
 fn needs_ensemble(scene: &Scene, oracle: Option<&Oracle>) -> bool {
-    scene.simultaneous == Simultaneous::Ensemble
-        || oracle.is_some_and(|o| !o.is_whole() || !o.is_complete())
+    scene.simultaneous == Simultaneous::Ensemble || oracle.is_some_and(|oracle| !oracle.is_single())
 }
 
 fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {

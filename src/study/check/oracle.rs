@@ -3,8 +3,8 @@
 use super::item::{CERTAIN, END_X, END_Y, ENDING, STOPPED};
 use super::unit_of;
 use crate::finding::Finding;
+use crate::oracle::Oracle;
 use crate::scene::Scene;
-use crate::study::stability::Oracle;
 
 /// Label under which the exact answer of a scene is held, apart from every column.
 pub const ORACLE: &str = "oracle";

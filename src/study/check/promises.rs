@@ -9,10 +9,11 @@ use crate::finding::{Finding, Verdict};
 use crate::law::rerun::digest;
 use crate::law::{self, Reads, Run, image};
 use crate::math::within;
+use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::matrix::{Column, Runner};
-use crate::study::stability::{Examined, Oracle, RULES, apart};
+use crate::study::stability::{Examined, RULES, apart};
 use crate::trace::Record;
 
 /// A promise that does not hold.

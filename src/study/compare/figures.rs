@@ -3,8 +3,8 @@
 use super::words::describe_kind;
 use super::{Entry, Outcome};
 use crate::engine::Limits;
-use crate::engine::exact::sensitivity::growth;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
+use crate::oracle::growth;
 use crate::scene::Scene;
 use crate::study::certainty;
 use crate::trace::{Path, Trace};

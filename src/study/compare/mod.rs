@@ -25,10 +25,9 @@ pub use words::{
 use super::Extent;
 use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
-use crate::engine::exact::Exact;
-use crate::engine::exact::horizon::{Horizon, horizon};
 use crate::engine::{Limits, Refusal, Roster};
 use crate::finding::Finding;
+use crate::oracle::{self, Absence, Horizon, horizon};
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
 
@@ -101,11 +100,6 @@ impl Entry {
     pub fn label(&self) -> String {
         self.column.label()
     }
-
-    /// True for an engine that others are held against.
-    pub fn solves(&self) -> bool {
-        self.column.engine.solves()
-    }
 }
 
 impl Outcome {
@@ -138,9 +132,10 @@ impl Outcome {
             .filter(move |f| f.engine == engine && f.metric == metric)
     }
 
-    /// True where the user asked to stop before a run of an engine that others are held against had come to its end.
-    pub fn was_stopped(&self) -> bool {
-        let mut own = self.entries.iter().filter(|entry| entry.solves());
+    /// True where the user asked to stop before the run of the reference had come to its end.
+    pub fn reference_was_stopped(&self) -> bool {
+        let own = |entry: &&Entry| is_reference(&entry.column);
+        let mut own = self.entries.iter().filter(own);
         own.any(|entry| matches!(entry.cell, Err(Refusal::Stopped)))
     }
 
@@ -174,11 +169,11 @@ pub fn default_columns(roster: &Roster) -> Vec<Column> {
 /// The columns that run: the named ones, after the reference if it is not among them.
 pub fn plan(roster: &Roster, named: &[Column]) -> Vec<Column> {
     let mut columns = named.to_vec();
-    if !columns.iter().any(|column| column.engine.solves()) {
-        columns.extend(roster.reference().map(Column::of));
+    if !columns.iter().any(is_reference) {
+        columns.extend(roster.find(oracle::engine().id()).map(Column::of));
     }
     // the reference stands first
-    Column::solvers_first(&mut columns);
+    columns.sort_by_key(|column| !is_reference(column));
     columns
 }
 
@@ -255,13 +250,15 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits
     match reference(&outcome.entries) {
         Ok(index) => {
             outcome.reference = Some(index);
-            if let Some(precision) = Exact::precision(&columns[index].setting) {
+            if let Some(precision) = oracle::precision(&columns[index].setting) {
                 let found = limits.whole(|| horizon(scene, precision, false, limits));
                 outcome.extent.count(found.is_some());
                 outcome.horizon = found.flatten();
             }
         }
-        Err(why) => outcome.no_reference = Some(why),
+        Err(absence) => {
+            outcome.no_reference = Some(absence.in_words(words::describe_ending));
+        }
     }
     stand_alone(&mut outcome);
     against_reference(&mut outcome);
@@ -270,16 +267,17 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits
     outcome
 }
 
-/// The exact engine's entry, if it reached the end that the scene asks for; else why not.
-fn reference(entries: &[Entry]) -> Result<usize, String> {
-    let Some(index) = entries.iter().position(Entry::solves) else {
-        return Err("the exact engine was not asked".to_owned());
-    };
-    match &entries[index].cell {
-        Err(refusal) => Err(format!("{} {refusal}", entries[index].column.engine.id())),
-        Ok(ran) if ran.trace.ending.is_complete() => Ok(index),
-        Ok(ran) => Err(words::describe_ending(&ran.trace)),
-    }
+/// True for a column of the engine that the others are held against.
+fn is_reference(column: &Column) -> bool {
+    oracle::is_reference(&*column.engine)
+}
+
+/// The reference's entry, if it reached the end that the scene asks for; else why not.
+fn reference(entries: &[Entry]) -> Result<usize, Absence<'_>> {
+    let index = entries.iter().position(|entry| is_reference(&entry.column));
+    let index = index.ok_or(Absence::NotAsked)?;
+    let ran = entries[index].cell.as_ref().map(|ran| &ran.trace);
+    oracle::answer(ran).map(|_| index)
 }
 
 fn stand_alone(outcome: &mut Outcome) {
@@ -373,7 +371,7 @@ pub fn pair_label(a: &Entry, b: &Entry) -> String {
 }
 
 fn is_contender(outcome: &Outcome, i: usize) -> bool {
-    outcome.entries[i].cell.is_ok() && !outcome.entries[i].solves()
+    outcome.entries[i].cell.is_ok() && !is_reference(&outcome.entries[i].column)
 }
 
 /// |the same engine in two precisions|, for engines of one family that have the same setting.
@@ -402,7 +400,7 @@ fn model_error(
     cells: &[Cell],
     watch: Watch<'_>,
 ) -> Option<f64> {
-    let exact = columns.iter().position(|column| column.engine.solves())?;
+    let exact = columns.iter().position(is_reference)?;
     let complete = |ran: &Ran| matches!(ran.trace.ending, Ending::Rest | Ending::Duration);
     let ours = cells[exact].as_ref().ok().filter(|ran| complete(ran))?;
     let cells = matrix::run_row(

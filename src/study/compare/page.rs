@@ -108,7 +108,7 @@ pub fn headline(outcome: &Outcome) -> String {
     });
     let mut sentences: Vec<String> = sentences.collect();
     if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
-        let what = match outcome.was_stopped() {
+        let what = match outcome.reference_was_stopped() {
             true => "Nothing to hold the engines against",
             false => "No single right answer",
         };

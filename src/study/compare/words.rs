@@ -1,7 +1,7 @@
 //! Scenes, events and endings in plain words.
 
 use crate::compare::Order;
-use crate::engine::exact::horizon::Horizon;
+use crate::oracle::Horizon;
 use crate::physics::Pockets;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};

@@ -29,14 +29,12 @@ pub use verdict::{Fit, Kind, Verdict};
 use super::Extent;
 use super::compare::{default_columns, describe_ending};
 use super::matrix::{self, Column, Effort, Job, Timed, Watch};
-use crate::engine::exact::horizon::horizon;
-use crate::engine::exact::{Exact, Precision};
-use crate::engine::{Engine, Limits, Roster};
+use crate::engine::{Limits, Roster};
 use crate::math::statistics::Distribution;
+use crate::oracle::{self, Absence, Precision};
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
 use std::collections::HashMap;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Everything that a study of cost found.
@@ -157,8 +155,7 @@ struct Start {
 
 /// What the oracle runs in: more digits than any engine of the study but itself.
 fn oracle_column() -> Column {
-    let exact: Arc<dyn Engine> = Arc::new(Exact);
-    Column::with(&exact, Exact::in_precision(Precision::F256))
+    Column::with(oracle::engine(), oracle::finest())
 }
 
 /// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine. One that refuses its
@@ -171,7 +168,11 @@ pub fn study(
     watch: Watch<'_>,
 ) -> Outcome {
     let mut scene = scene.clone();
-    let believed = watch.whole(|| believed(&scene, watch));
+    let limits = Limits {
+        cancelled: watch.cancelled,
+        ..Limits::NONE
+    };
+    let believed = watch.whole(|| oracle::believed_until(&scene, Precision::Dd, &limits));
     let certain_until = believed.flatten();
     if let Some(until) = certain_until {
         scene.duration = until;
@@ -188,18 +189,14 @@ pub fn study(
         |_, ran| ran,
     ));
     let stopped = believed.is_none() || base.is_none();
-    let (base, no_oracle) = match base {
-        None => (
-            None,
-            Some("the exact run was stopped before its end".to_owned()),
-        ),
-        Some(Err(refusal)) => (None, Some(format!("{} {refusal}", Exact.id()))),
-        Some(Ok(trace)) if trace.ending.is_complete() => (Some(trace), None),
-        Some(Ok(trace)) => {
-            let why = describe_ending(&trace);
-            (Some(trace), Some(why))
-        }
+    let answer = match &base {
+        None => Err(Absence::Stopped),
+        Some(ran) => oracle::answer(ran.as_ref()),
     };
+    let no_oracle = answer
+        .err()
+        .map(|absence| absence.in_words(describe_ending));
+    let base = base.and_then(Result::ok);
     let simulated = match (&base, &no_oracle) {
         (Some(trace), None) => trace.end_time,
         _ => longest(roster, &scene, watch),
@@ -264,17 +261,6 @@ fn longest(roster: &Roster, scene: &Scene, watch: Watch<'_>) -> f64 {
 
 fn first<T>(answers: Vec<Option<T>>) -> Option<T> {
     answers.into_iter().next().flatten()
-}
-
-/// When the oracle can no longer be believed, s; `None` where it can to the end, or nothing is known.
-fn believed(scene: &Scene, watch: Watch<'_>) -> Option<f64> {
-    let limits = Limits {
-        cancelled: watch.cancelled,
-        ..Limits::NONE
-    };
-    let horizon = horizon(scene, Precision::Dd, false, &limits)?;
-    let whole = horizon.is_whole() || !horizon.trace.ending.is_complete();
-    (!whole && horizon.until < scene.duration).then_some(horizon.until)
 }
 
 /// Runs what a study plans, and tells how far it is.

@@ -23,6 +23,7 @@ use super::Extent;
 use super::matrix::{self, Column, Watch};
 use crate::engine::Refusal;
 use crate::math::statistics::Distribution;
+use crate::oracle;
 use crate::scene::Scene;
 use crate::scene::perturb::{Law, PerturbError, Perturbation};
 use crate::trace::Record;
@@ -143,10 +144,10 @@ impl Entry {
     }
 }
 
-/// The engines in which an ensemble runs: those that solve first, otherwise as named.
+/// The engines in which an ensemble runs: those of the reference first, otherwise as named.
 pub fn plan_columns(named: &[Column]) -> Vec<Column> {
     let mut columns = named.to_vec();
-    Column::solvers_first(&mut columns);
+    columns.sort_by_key(|column| !oracle::is_reference(&*column.engine));
     columns
 }
 

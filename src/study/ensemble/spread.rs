@@ -5,6 +5,7 @@ use super::page::short;
 use super::{Outcome, Plan, study};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::math::statistics::Distribution;
+use crate::oracle;
 use crate::physics::State;
 use crate::scene::Simultaneous;
 use crate::scene::perturb::Law;
@@ -22,17 +23,15 @@ const ALIKE: f64 = 0.02;
 /// What a comparison says of a scene that asks for an ensemble, and whether that was done; nothing for any other scene.
 pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block>, Extent) {
     let scene = &compared.scene;
-    let mut references = compared.entries.iter().filter(|entry| entry.solves());
-    let exact = references.next().map(|entry| &entry.column.engine);
-    let (Simultaneous::Ensemble, Some(exact)) = (scene.simultaneous, exact) else {
+    if scene.simultaneous != Simultaneous::Ensemble {
         return (Vec::new(), Extent::default());
-    };
+    }
     let plan = Plan {
         scene: scene.clone(),
         law: Law::default_for(scene),
         samples: SAMPLES,
         seed: SEED,
-        columns: vec![matrix::Column::of(exact)],
+        columns: vec![matrix::Column::of(oracle::engine())],
     };
     let Some(found) = watch.whole(|| study(plan, watch)) else {
         return (Vec::new(), Extent::of(0, 1));
@@ -126,7 +125,7 @@ fn answers(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<(String, Vec<
     let mut answers = Vec::new();
     for entry in &compared.entries {
         let complete = entry.trace().filter(|trace| trace.ending.is_complete());
-        let Some(trace) = complete.filter(|_| !entry.solves()) else {
+        let Some(trace) = complete.filter(|_| !oracle::is_reference(&*entry.column.engine)) else {
             continue;
         };
         let place = |(ball, state): (usize, Option<State>)| {

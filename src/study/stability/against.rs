@@ -1,10 +1,10 @@
 //! A run against the exact one: the order of collisions, distances, stop times; and whether the step explains what differs.
 
 use super::evidence::{Evidence, Judgement, Place, short};
-use super::oracle::Oracle;
 use crate::compare::{Comparison, largest_distance_at_end};
 use crate::finding::Verdict;
 use crate::math::{within, worse};
+use crate::oracle::Oracle;
 use crate::physics::Cloth;
 use crate::scene::Simultaneous;
 use crate::study::compare::{describe_kind, describe_span};

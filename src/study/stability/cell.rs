@@ -1,13 +1,13 @@
 //! One cell: its runs, its evidence, its verdict.
 
 use super::evidence::{Evidence, Judgement, Place};
-use super::oracle::{Allowance, Oracle};
 use super::plan::{MOST_STATES, Planned};
 use super::rules::{RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
 use crate::engine::Refusal;
 use crate::finding::{Figure, Finding, Series, Style, Verdict};
 use crate::law::{Law, Reads, mirror, relabelling, time_reversal};
+use crate::oracle::{Allowance, Oracle};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::{TABLE_CAPTION, table_picture};

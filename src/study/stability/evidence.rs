@@ -1,9 +1,9 @@
 //! What is known of one run, and what can be said of it.
 
-use super::oracle::{Allowance, Oracle};
 use crate::compare::Comparison;
 use crate::finding::Verdict;
 use crate::law;
+use crate::oracle::{Allowance, Oracle};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::trace::Trace;

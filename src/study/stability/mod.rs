@@ -8,7 +8,6 @@ mod against;
 mod cell;
 mod evidence;
 mod figures;
-mod oracle;
 mod page;
 mod plan;
 mod rules;
@@ -17,16 +16,15 @@ mod words;
 
 pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
 pub use evidence::{Evidence, Judgement, Place};
-pub use oracle::{Allowance, Oracle};
 pub use page::{page, summary};
 pub(super) use plan::tried;
 pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
 pub use rules::{RULES, Rule, rule};
 
 use super::matrix::{Column, Task, Watch, run_tasks};
-use crate::engine::exact::Exact;
-use crate::engine::{Engine, Roster};
+use crate::engine::Roster;
 use crate::finding::{Finding, Hold, Tolerance, Verdict};
+use crate::oracle::Oracle;
 use crate::scene::Scene;
 
 /// Most events of an event-driven run: a hard case that needs more is not one that a person waits for.
@@ -132,9 +130,7 @@ pub fn ask_oracles(scenes: &[Scene], watch: Watch<'_>) -> Vec<Option<Oracle>> {
         })
         .collect();
     let answers = run_tasks(&tasks, MOST_EVENTS, watch, |index, runner| {
-        let scene = &scenes[index];
-        let known = Exact.missing(scene).is_empty();
-        known.then(|| Oracle::ask(scene, runner.limits())).flatten()
+        Oracle::ask(&scenes[index], runner.limits())
     });
     answers.into_iter().map(Option::flatten).collect()
 }

@@ -1,7 +1,7 @@
 //! Which runs a matrix of hard cases needs: presets, steps from coarse to fine, what a scene asks for; and which cost too much.
 
-use super::oracle::Oracle;
 use crate::engine::{Roster, Setting};
+use crate::oracle::Oracle;
 use crate::scene::Scene;
 use crate::study::matrix::Column;
 use crate::trace::Ending;

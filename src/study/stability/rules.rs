@@ -5,10 +5,10 @@
 
 use super::against;
 use super::evidence::{Evidence, Judgement, Place, short};
-use super::oracle::Oracle;
 use crate::finding::{Hold, Tolerance, Verdict};
 use crate::law::{self, Held, Law, energy, finite, image, momentum, outside, overlap, rest};
 use crate::math::within;
+use crate::oracle::{self, Oracle};
 use crate::physics::State;
 use crate::physics::invariants::Invariant;
 use crate::trace::{Ending, Extremum, Trace};
@@ -465,7 +465,7 @@ fn answer(e: &Evidence<'_>) -> Option<Judgement> {
             Verdict::Indeterminate,
             None,
             None,
-            "the exact engine has nothing to hold it against".to_owned(),
+            oracle::NOTHING.to_owned(),
         )),
         Some(oracle) if !oracle.is_complete() => {
             by("no answer to hold it against: exact", &oracle.trace)

@@ -1,6 +1,7 @@
 //! Which engines run, with which step: boxes to tick, one step an engine that has one, and a line for anything else.
 
 use crate::engine::{Refusal, Roster, Setting, step_knob};
+use crate::oracle;
 use crate::scene::Scene;
 use crate::study::Column;
 use crate::study::compare::{default_columns, plan};
@@ -66,7 +67,8 @@ impl Engines {
         let defaults = plan(roster, &default_columns(roster)).into_iter();
         let boxes = defaults.map(|column| {
             let spec = column.spec();
-            let always = column.engine.solves() && column.setting.values.is_empty();
+            // the reference is what the others are held against: it always runs
+            let always = oracle::is_reference(&*column.engine) && column.setting.values.is_empty();
             Tick {
                 always,
                 ticked: named.is_empty() || named.contains(&spec) || always,

@@ -5,10 +5,11 @@ use carom::compare::Comparison;
 use carom::engine::Limits;
 use carom::finding::Verdict;
 use carom::math::Vec3;
+use carom::oracle::{Allowance, Oracle};
 use carom::physics::invariants::Invariant;
 use carom::scene::Scene;
 use carom::study::random;
-use carom::study::stability::{Allowance, Evidence, Judgement, Oracle, RULES, judge};
+use carom::study::stability::{Evidence, Judgement, RULES, judge};
 use carom::trace::{Extremum, Record, Trace};
 
 /// A hit, a bounce and two stops.

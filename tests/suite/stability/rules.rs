@@ -7,11 +7,12 @@ use carom::engine::Limits;
 use carom::finding::{Tolerance, Verdict};
 use carom::gate::{Kind, Row, diff};
 use carom::math::Vec3;
+use carom::oracle::{Allowance, Oracle};
 use carom::physics::invariants::Invariant;
 use carom::scene::{Scene, SetName, catalogue};
 use carom::study::Watch;
 use carom::study::stability::{
-    Allowance, Evidence, Judged, Judgement, Oracle, Question, RULES, judge, presets, rule, study,
+    Evidence, Judged, Judgement, Question, RULES, judge, presets, rule, study,
 };
 use carom::trace::{Ending, EventKind, Extremum, Record, Trace};
 use std::collections::BTreeSet;

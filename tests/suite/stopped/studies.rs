@@ -116,7 +116,7 @@ fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
         );
         assert!(outcome.horizon.is_none(), "{case}");
         all_among(&outcome.findings, &whole.findings, &case);
-        assert_eq!(outcome.was_stopped(), k == 0, "{case}");
+        assert_eq!(outcome.reference_was_stopped(), k == 0, "{case}");
         // after the last engine the horizon is still open
         assert!(outcome.extent.is_cut_short(), "{case}");
         says_so(&compare::page(&outcome), true, &case);

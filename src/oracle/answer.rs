@@ -6,10 +6,10 @@
 //! each collision rounds positions and velocities once, which adds up to `(steps + k + 1) ulp (X + v t) G`, X the largest
 //! coordinate and G the growth from the start.
 
+use super::horizon::{BAND, Horizon, Sight, horizon};
+use super::{Growth, Precision, engine, growth};
 use crate::engine::Limits;
-use crate::engine::exact::horizon::{BAND, Horizon, Sight, horizon};
-use crate::engine::exact::sensitivity::{Growth, growth};
-use crate::engine::exact::{Precision, solve};
+use crate::engine::exact::solve;
 use crate::math::worse;
 use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Ending, Trace};
@@ -35,8 +35,11 @@ pub struct Oracle {
 }
 
 impl Oracle {
-    /// Asks the exact engine; `None` where it cannot say how far its own run can be believed.
+    /// Asks the exact engine; `None` where it lacks something that the scene calls for, or cannot say how far its own run can be believed.
     pub fn ask(scene: &Scene, limits: &Limits<'_>) -> Option<Oracle> {
+        if !engine().missing(scene).is_empty() {
+            return None;
+        }
         let found = horizon(scene, Precision::F64, false, limits)?;
         if found.trace.ending == Ending::Cancelled {
             return None;
@@ -59,6 +62,11 @@ impl Oracle {
     /// True where the run reached the end that the scene asks for.
     pub fn is_complete(&self) -> bool {
         self.trace.ending.is_complete()
+    }
+
+    /// True where the scene has one answer, to its end: the run reached the end that the scene asks for, and can be believed up to there.
+    pub fn is_single(&self) -> bool {
+        self.is_whole() && self.is_complete()
     }
 
     /// True where the run can be believed to its end.

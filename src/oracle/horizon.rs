@@ -4,17 +4,15 @@
 //! differ by less than [`BAND`]; and the margin of each event exceeds the error of its time, estimated and seen. Beyond
 //! it the order of events, and with it everything else, is decided by rounding.
 
-use super::certainty::certify;
-use super::sensitivity::{Growth, growth};
-use super::solution::{Solution, solve};
-use super::{Exact, Precision};
-use crate::engine::{Engine, Limits};
+use crate::engine::Limits;
+use crate::engine::exact::sensitivity::{Growth, growth};
+use crate::engine::exact::{Precision, Solution, certify, solve};
 use crate::math::{DoubleDouble, Octuple, Real, worse};
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
 use std::collections::HashMap;
 
-pub use super::certainty::MOST_BALLS;
+pub use crate::engine::exact::MOST_BALLS;
 
 /// Two precisions agree while they differ by less than this: positions in R, velocities in the largest initial speed, times in R
 /// over that speed.
@@ -102,13 +100,21 @@ pub fn horizon(
         }
         Precision::F256 | Precision::Auto => return None,
     };
-    horizon.trace.provenance.engine = Exact.id().to_owned();
+    horizon.trace.provenance.engine = super::engine().id().to_owned();
     horizon.growth = growth(scene, &horizon.trace, whole_growth, limits);
     if limits.is_cancelled() {
         // what was cut short says nothing, wherever it was cut
         horizon.trace.ending = Ending::Cancelled;
     }
     Some(horizon)
+}
+
+/// When a run in `precision` can no longer be believed, s; `None` where it can to its end or to that of the scene, where it has no answer
+/// anyway, and where nothing is known.
+pub fn believed_until(scene: &Scene, precision: Precision, limits: &Limits<'_>) -> Option<f64> {
+    let horizon = horizon(scene, precision, false, limits)?;
+    let whole = horizon.is_whole() || !horizon.trace.ending.is_complete();
+    (!whole && horizon.until < scene.duration).then_some(horizon.until)
 }
 
 /// A run in `T` against one in `W`; `precisions`: their names.
@@ -276,5 +282,34 @@ impl Places {
     fn find(&self, other: &Places, index: usize) -> Option<usize> {
         let found = *self.by_occurrence.get(other.occurrence.get(index)?)?;
         (self.place[found] == other.place[index]).then_some(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::catalogue;
+
+    fn scene(name: &str) -> Scene {
+        catalogue::scene(name).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    #[test]
+    fn a_scene_is_cut_off_where_its_horizon_is_and_only_there() {
+        let believed = |scene: &Scene| believed_until(scene, Precision::F64, &Limits::NONE);
+        assert_eq!(believed(&scene("report-break")), None);
+        let chaotic = scene("discs-in-a-box");
+        let Some(until) = believed(&chaotic) else {
+            panic!("f64 has a horizon in discs-in-a-box");
+        };
+        let found = horizon(&chaotic, Precision::F64, false, &Limits::NONE);
+        assert_eq!(found.map(|found| found.until), Some(until));
+        assert!(until > 0.0 && until < chaotic.duration);
+        // what ends before its horizon is whole
+        let short = Scene {
+            duration: 0.5 * until,
+            ..chaotic
+        };
+        assert_eq!(believed(&short), None);
     }
 }
