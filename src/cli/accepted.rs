@@ -54,16 +54,16 @@ pub struct Use {
 
 /// Where accepted findings are.
 #[derive(Debug)]
-pub struct Place<'a> {
+pub struct AcceptedPlace<'a> {
     of: &'a Use,
     /// The folder that the user named; without one, the files that travel with the program.
     folder: Option<&'a Path>,
 }
 
-impl<'a> Place<'a> {
+impl<'a> AcceptedPlace<'a> {
     /// The folder that was named, or what is built in. `accept`: whether findings are to be accepted, for which there must be a folder.
     pub fn new(of: &'a Use, folder: Option<&'a Path>, accept: bool) -> Result<Self, Failure> {
-        let place = Place { of, folder };
+        let place = AcceptedPlace { of, folder };
         if accept && folder.is_none() {
             return Err(Failure::Message(format!(
                 "what is built in cannot be written; name a folder: `{}`. carom's own files are in validation/{} of its sources",

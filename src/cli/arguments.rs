@@ -5,7 +5,7 @@ use super::scene::SceneCommand;
 use crate::engine::{Limits, Preset, Roster};
 use crate::oracle::Precision;
 use crate::report::FORMATS;
-use crate::study::Column;
+use crate::study::Configuration;
 use crate::study::cost::Grid;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
@@ -403,13 +403,13 @@ fn engine_help() -> String {
 
 /// The presets of the built-in engines that are wanted, as a list of engines: those that solve for their events first.
 fn listed(wanted: fn(&Preset) -> bool) -> String {
-    let mut columns = Column::presets(&Roster::built_in(), wanted);
-    Column::solvers_first(&mut columns);
-    let specs: Vec<String> = columns.iter().map(Column::spec).collect();
+    let mut columns = Configuration::presets(&Roster::built_in(), wanted);
+    Configuration::solvers_first(&mut columns);
+    let specs: Vec<String> = columns.iter().map(Configuration::spec).collect();
     specs.join(",")
 }
 
 /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
-pub fn parse_engines(roster: &Roster, list: &str) -> Result<Vec<Column>, Failure> {
-    Column::list(roster, list).map_err(Failure::Message)
+pub fn parse_engines(roster: &Roster, list: &str) -> Result<Vec<Configuration>, Failure> {
+    Configuration::list(roster, list).map_err(Failure::Message)
 }

@@ -4,7 +4,7 @@ use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
 use crate::engine::{Limits, Roster};
 use crate::study::compare::{LengthUnit, default_columns, plan};
-use crate::study::{Answer, Column, Timing, Watch};
+use crate::study::{Answer, Configuration, Timing, Watch};
 use std::process::ExitCode;
 
 /// Compares one scene and prints the summary.
@@ -29,7 +29,7 @@ pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode
 }
 
 /// The engines that were named, or the default ones; the exact engine first.
-pub fn columns(roster: &Roster, engines: Option<&str>) -> Result<Vec<Column>, Failure> {
+pub fn columns(roster: &Roster, engines: Option<&str>) -> Result<Vec<Configuration>, Failure> {
     let named = match engines {
         Some(list) => parse_engines(roster, list)?,
         None => default_columns(roster),

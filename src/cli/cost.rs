@@ -4,7 +4,7 @@ use super::arguments::{CostArguments, parse_engines};
 use super::{Failure, publish_with, scene, terminal};
 use crate::engine::Roster;
 use crate::study::cost::{self, Grid, PriceList};
-use crate::study::{Column, Watch};
+use crate::study::{Configuration, Watch};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -16,7 +16,7 @@ const PRICES: &str = "prices.json";
 
 /// Studies what accuracy costs in one scene, prints the price list and writes the page below the report's folder.
 pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Failure> {
-    let named: Vec<Column> = match &arguments.engines {
+    let named: Vec<Configuration> = match &arguments.engines {
         Some(list) => parse_engines(roster, list)?,
         None => Vec::new(),
     };

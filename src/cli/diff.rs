@@ -7,7 +7,7 @@ use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Located, Row};
 use crate::scene::{Scene, catalogue};
-use crate::study::Column;
+use crate::study::Configuration;
 use crate::study::check::{between, tolerance, unheld};
 use crate::trace::{Ending, Trace, files};
 use std::collections::{BTreeMap, BTreeSet};
@@ -211,7 +211,7 @@ fn baselines(
 ) -> (String, Vec<Located>) {
     // a table names the scalar only in the label of its engine
     let ulp = |label: &str| {
-        let column = Column::list(roster, &label.replace(' ', ":"));
+        let column = Configuration::list(roster, &label.replace(' ', ":"));
         let columns = column.unwrap_or_default();
         let ulps = columns
             .iter()

@@ -1,6 +1,6 @@
 //! `carom stability`.
 
-use super::accepted::{self, Place, Use};
+use super::accepted::{self, AcceptedPlace, Use};
 use super::arguments::{StabilityArguments, parse_engines};
 use super::exit::Exit;
 use super::{Failure, publish, terminal, versions};
@@ -9,7 +9,7 @@ use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
 use crate::scene::{Scene, SetName, catalogue};
 use crate::study::Watch;
-use crate::study::stability::{Outcome, Question, Reach, page, presets, study, summary};
+use crate::study::stability::{Question, Reach, StabilityOutcome, page, presets, study, summary};
 use std::process::ExitCode;
 
 /// What is done with accepted findings.
@@ -23,7 +23,7 @@ const HARD: Use = Use {
 pub fn stability(arguments: &StabilityArguments, roster: &Roster) -> Result<ExitCode, Failure> {
     let reason = accepted::reason(arguments.reason.as_deref())?;
     let question = question(arguments, roster)?;
-    let place = Place::new(&HARD, arguments.accepted.as_deref(), arguments.accept)?;
+    let place = AcceptedPlace::new(&HARD, arguments.accepted.as_deref(), arguments.accept)?;
     // a file that cannot be read is said before anything runs
     let before = place.read(&names(&question.scenes))?;
     let unread = if arguments.scenes.is_empty() {
@@ -88,11 +88,11 @@ fn names(scenes: &[Scene]) -> Vec<String> {
 }
 
 /// Writes a document of a matrix; the function says whether a cell of a scene differs from what was accepted.
-type Writer = fn(&Outcome, &dyn Fn(usize, &str) -> bool) -> Document;
+type Writer = fn(&StabilityOutcome, &dyn Fn(usize, &str) -> bool) -> Document;
 
 /// A matrix held against what was accepted.
 struct Held<'a> {
-    outcome: Outcome,
+    outcome: StabilityOutcome,
     /// By scene; `None` where nothing was accepted.
     accepted: Vec<Option<Accepted>>,
     /// What differs, in the scenes of which something was accepted.
@@ -107,16 +107,16 @@ struct Held<'a> {
     new: usize,
     /// Accepted findings that are not held, because only `--full` makes their runs.
     left_out: usize,
-    place: Place<'a>,
+    place: AcceptedPlace<'a>,
 }
 
 impl<'a> Held<'a> {
     fn new(
-        outcome: Outcome,
+        outcome: StabilityOutcome,
         accepted: Vec<Option<Accepted>>,
         unread: Vec<String>,
         arguments: &StabilityArguments,
-        place: Place<'a>,
+        place: AcceptedPlace<'a>,
     ) -> Self {
         let mut held = Held {
             outcome,

@@ -2,7 +2,7 @@
 
 use super::{Accepted, Change, Row, contradictions, diff};
 use crate::finding::Verdict;
-use crate::study::stability::{Outcome, Reach, reach_of};
+use crate::study::stability::{Reach, StabilityOutcome, reach_of};
 use std::collections::BTreeMap;
 
 /// How one scene of a matrix stands to what was accepted of it.
@@ -24,7 +24,12 @@ pub struct HeldCases {
 ///
 /// A run that was left out is not missed. One that no matrix has any more, or that is out of every matrix's reach, is: what was accepted of
 /// it would be held by nothing.
-pub fn hold_cases(outcome: &Outcome, scene: usize, accepted: &Accepted, some: bool) -> HeldCases {
+pub fn hold_cases(
+    outcome: &StabilityOutcome,
+    scene: usize,
+    accepted: &Accepted,
+    some: bool,
+) -> HeldCases {
     let own_scene = &outcome.question.scenes[scene];
     let case = |row: &Row| {
         let mut own = outcome.of_scene(scene);

@@ -2,13 +2,13 @@
 
 use super::{Accepted, Change, Kind, Located, Row, Standing, contradictions, diff};
 use crate::finding::Finding;
-use crate::study::check::{Against, Level, ORACLE, Outcome, level, unit_of};
+use crate::study::check::{Against, CheckOutcome, Level, ORACLE, level, unit_of};
 
 /// What a check found, and how it differs from what was accepted.
 #[derive(Clone, Debug)]
 pub struct Held {
     /// What was found.
-    pub outcome: Outcome,
+    pub outcome: CheckOutcome,
     /// By part of the outcome: scenes, then the random ones; `None` where nothing was accepted.
     pub accepted: Vec<Option<Accepted>>,
     /// What differs, in the scenes of which something was accepted.
@@ -34,7 +34,11 @@ pub struct Bits {
 
 impl Held {
     /// Holds every scene. `unread`: baselines that no scene reads.
-    pub fn new(outcome: Outcome, accepted: Vec<Option<Accepted>>, unread: Vec<String>) -> Held {
+    pub fn new(
+        outcome: CheckOutcome,
+        accepted: Vec<Option<Accepted>>,
+        unread: Vec<String>,
+    ) -> Held {
         let mut held = Held {
             outcome,
             accepted,

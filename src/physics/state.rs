@@ -1,6 +1,7 @@
 //! The state of one ball.
 
 use crate::math::Real;
+use approx::{AbsDiffEq, RelativeEq};
 use nalgebra::Vector3;
 
 /// Position and motion of one ball: scene units, world frame.
@@ -112,5 +113,34 @@ impl Side {
             Side::X0 | Side::Y0 => -1,
             Side::X1 | Side::Y1 => 1,
         }
+    }
+}
+
+/// Two states are as near as their farthest coordinates: position (length), velocity (length/s) and spin (rad/s) by one number.
+impl AbsDiffEq for State {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::default_epsilon()
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.position.abs_diff_eq(&other.position, epsilon)
+            && self.velocity.abs_diff_eq(&other.velocity, epsilon)
+            && self.spin.abs_diff_eq(&other.spin, epsilon)
+    }
+}
+
+/// Relative to the larger of two coordinates, one by one.
+impl RelativeEq for State {
+    fn default_max_relative() -> f64 {
+        f64::default_max_relative()
+    }
+
+    fn relative_eq(&self, other: &Self, epsilon: f64, max_relative: f64) -> bool {
+        let near = |a: &Vector3<f64>, b: &Vector3<f64>| a.relative_eq(b, epsilon, max_relative);
+        near(&self.position, &other.position)
+            && near(&self.velocity, &other.velocity)
+            && near(&self.spin, &other.spin)
     }
 }

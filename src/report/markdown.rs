@@ -34,12 +34,12 @@ pub fn write_with(document: &Document, picture: impl Fn(&Page, &str) -> Option<S
                 Block::Figure(figure) => {
                     let words = format!(
                         "*{}.* {}",
-                        escape(figure.title.trim_end_matches('.'), Place::Line),
-                        escape(&figure.caption, Place::Line)
+                        escape(figure.title.trim_end_matches('.'), TextPlace::Line),
+                        escape(&figure.caption, TextPlace::Line)
                     );
                     match picture(page, name) {
                         Some(file) => {
-                            let title = escape(&figure.title, Place::Link);
+                            let title = escape(&figure.title, TextPlace::Link);
                             format!("![{title}]({file})\n\n{words}\n")
                         }
                         None => format!("{words}\n"),
@@ -80,10 +80,10 @@ fn table_in(table: &Table, pages: &Pages) -> String {
 /// Heading, rule and cells of one column, all equally long.
 fn column(table: &Table, index: usize, pages: &Pages) -> Vec<String> {
     let column = &table.columns[index];
-    let title = escape(&column.title, Place::Cell);
+    let title = escape(&column.title, TextPlace::Cell);
     let heading = match column.unit.as_str() {
         "" => title,
-        unit => format!("{title} ({})", escape(unit, Place::Cell)),
+        unit => format!("{title} ({})", escape(unit, TextPlace::Cell)),
     };
     let mut cells = vec![heading];
     for row in &table.rows {
@@ -123,10 +123,10 @@ fn linked(cell: &Cell, pages: &Pages) -> String {
     match page {
         Some(page) => format!(
             "[{}](#{})",
-            escape(&shown(cell), Place::Link),
+            escape(&shown(cell), TextPlace::Link),
             anchor(&page.document.title)
         ),
-        None => escape(&shown(cell), Place::Cell),
+        None => escape(&shown(cell), TextPlace::Cell),
     }
 }
 
@@ -142,7 +142,7 @@ fn anchor(title: &str) -> String {
 
 /// Where words stand, which decides what is markup among them.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum TextPlace {
     /// In a line of their own, or after the sign of a heading.
     Line,
     /// In a cell of a table: it ends at a bar.
@@ -153,7 +153,7 @@ enum Place {
 
 /// A block whose first characters do not make it a heading, list, quotation, code or rule.
 fn paragraph(words: &str) -> String {
-    let words = escape(words, Place::Line);
+    let words = escape(words, TextPlace::Line);
     let digits = words.bytes().take_while(u8::is_ascii_digit).count();
     let (number, rest) = words.split_at(digits);
     if words.starts_with(['#', '-', '+', '>', '=', '~']) {
@@ -173,7 +173,7 @@ fn is_mark(rest: &str) -> bool {
 
 /// A heading: one that ends in `#` would lose it.
 fn heading(words: &str) -> String {
-    let words = escape(words, Place::Line);
+    let words = escape(words, TextPlace::Line);
     match words.strip_suffix('#') {
         Some(words) => format!("{words}\\#"),
         None => words,
@@ -182,20 +182,20 @@ fn heading(words: &str) -> String {
 
 /// Words in bold print; nothing if there are none.
 fn strong(words: &str) -> String {
-    match escape(words, Place::Line).as_str() {
+    match escape(words, TextPlace::Line).as_str() {
         "" => String::new(),
         words => format!("**{words}**\n"),
     }
 }
 
 /// One line whose characters mean themselves, except that text between two backticks is code.
-fn escape(words: &str, place: Place) -> String {
+fn escape(words: &str, place: TextPlace) -> String {
     let words = plain(words);
     // spaces at the ends have no meaning, and would keep signs around them from having theirs
     let words = words.trim();
     let mut escaped = String::with_capacity(words.len());
     for (is_code, piece) in pieces(words) {
-        let bar = piece.contains('|') && place != Place::Line;
+        let bar = piece.contains('|') && place != TextPlace::Line;
         if is_code && !bar {
             escaped += &format!("`{piece}`");
         } else if is_code {
@@ -209,7 +209,7 @@ fn escape(words: &str, place: Place) -> String {
 }
 
 /// Words without code.
-fn literal(words: &str, place: Place) -> String {
+fn literal(words: &str, place: TextPlace) -> String {
     let mut escaped = String::with_capacity(words.len());
     let mut previous = ' ';
     for (at, c) in words.char_indices() {
@@ -217,8 +217,8 @@ fn literal(words: &str, place: Place) -> String {
         let is_markup = match c {
             // those of GitHub too: struck out words, sums
             '\\' | '*' | '<' | '[' | '`' | '&' | '~' | '$' => true,
-            '|' => place != Place::Line,
-            ']' => place == Place::Link,
+            '|' => place != TextPlace::Line,
+            ']' => place == TextPlace::Link,
             // within a word an underscore means itself
             '_' => {
                 let next = after.chars().next().unwrap_or(' ');
@@ -240,7 +240,7 @@ fn literal(words: &str, place: Place) -> String {
 
 /// True for words with signs that have to be escaped in a cell of a table.
 pub fn has_markup(words: &str) -> bool {
-    literal(words, Place::Cell) != words
+    literal(words, TextPlace::Cell) != words
 }
 
 /// A command as a block of code, whatever backticks it has.

@@ -7,14 +7,14 @@ use crate::carried;
 
 /// One scene of the catalogue, as written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct CatalogueEntry {
     /// Name of the scene, which is the name of its file.
     pub name: &'static str,
     /// The TOML file.
     pub text: &'static str,
 }
 
-impl Entry {
+impl CatalogueEntry {
     /// Name of the file below `validation/scenes/`.
     pub fn file_name(&self) -> String {
         format!("{}.toml", self.name)
@@ -28,7 +28,7 @@ impl Entry {
 
 macro_rules! entries {
     ($($name:literal),* $(,)?) => {
-        const { &[$(Entry {
+        const { &[$(CatalogueEntry {
             name: $name,
             text: match carried::text(concat!("scenes/", $name, ".toml")) {
                 Some(text) => text,
@@ -43,7 +43,7 @@ macro_rules! entries {
 /// then the shots that call for rotation, one at a time, what the gate needs to go through every branch and key, the effect ladder and
 /// real breaks; last the hard cases by what they provoke: simultaneous contacts, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
 // long: the list of scenes, one a line
-pub fn all() -> &'static [Entry] {
+pub fn all() -> &'static [CatalogueEntry] {
     entries![
         "report-break",
         "report-break-central",
@@ -186,7 +186,7 @@ pub fn all() -> &'static [Entry] {
 }
 
 /// The entry called `name`.
-pub fn find(name: &str) -> Option<Entry> {
+pub fn find(name: &str) -> Option<CatalogueEntry> {
     all().iter().copied().find(|entry| entry.name == name)
 }
 

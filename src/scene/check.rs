@@ -100,7 +100,7 @@ struct Walk<'s, 'p> {
     problems: &'p mut Problems,
 }
 
-type Entry<'a, 't> = (&'a Spanned<DeString<'t>>, &'a Spanned<DeValue<'t>>);
+type KeyValue<'a, 't> = (&'a Spanned<DeString<'t>>, &'a Spanned<DeValue<'t>>);
 
 impl<'s> Walk<'s, '_> {
     /// `around`: what the list that the value stands in says of its values.
@@ -320,7 +320,7 @@ impl<'s> Walk<'s, '_> {
     fn unknown_key<'k>(
         &mut self,
         path: &str,
-        (key, value): Entry<'_, '_>,
+        (key, value): KeyValue<'_, '_>,
         known: impl FnOnce() -> Vec<&'k str>,
     ) {
         let schema = self.schema;

@@ -2,7 +2,7 @@
 
 use super::compare::{self, LengthUnit};
 use super::ensemble;
-use super::matrix::{Column, Timing, Watch};
+use super::matrix::{Configuration, Timing, Watch};
 use crate::engine::Limits;
 use crate::finding::{Block, Document};
 use crate::scene::{Scene, SceneError, catalogue};
@@ -11,7 +11,7 @@ use crate::scene::{Scene, SceneError, catalogue};
 #[derive(Debug)]
 pub struct Answer {
     /// The comparison.
-    pub outcome: compare::Outcome,
+    pub outcome: compare::ComparisonOutcome,
     /// What the ensemble around a scene of touching balls says; empty for any other scene.
     surroundings: Vec<Block>,
 }
@@ -20,7 +20,7 @@ impl Answer {
     /// Compares a scene. `max_events`: see [`Limits`]. Errors: the catalogue has no scene of the name in `richer`.
     pub fn to(
         scene: &Scene,
-        columns: &[Column],
+        columns: &[Configuration],
         timing: Timing,
         max_events: u64,
         watch: Watch<'_>,

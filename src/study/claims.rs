@@ -3,7 +3,7 @@
 //! The claims are those of the student report that the stepper re-creates. Every line says what the report says, what
 //! comes out when it is computed, and with which runs.
 
-use super::matrix::{self, Column, Timing, Watch};
+use super::matrix::{self, Configuration, Timing, Watch};
 use crate::compare::largest_distance_at_end;
 use crate::engine::{Roster, Setting};
 use crate::finding::{Align, Block, Cell, Column as TableColumn, Document, Table};
@@ -117,7 +117,7 @@ impl Lab<'_> {
             progress: &|_, _, _| {},
             cancelled: self.watch.cancelled,
         };
-        let column = Column::with(self.roster.find(engine)?, setting);
+        let column = Configuration::with(self.roster.find(engine)?, setting);
         let cells = matrix::run_row(scene, &[column], Record::Events, Timing::None, silent);
         cells.into_iter().next()?.ok().map(|ran| ran.trace)
     }

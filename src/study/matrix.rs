@@ -17,39 +17,39 @@ pub const MOST_COLUMNS: usize = 256;
 
 /// One engine with one setting.
 #[derive(Clone)]
-pub struct Column {
+pub struct Configuration {
     /// The engine.
     pub engine: Arc<dyn Engine>,
     /// Its setting; empty for the defaults.
     pub setting: Setting,
 }
 
-impl Column {
+impl Configuration {
     /// A column with every default.
     pub fn of(engine: &Arc<dyn Engine>) -> Self {
-        Column::with(engine, Setting::default())
+        Configuration::with(engine, Setting::default())
     }
 
     /// A column with a setting.
     pub fn with(engine: &Arc<dyn Engine>, setting: Setting) -> Self {
-        Column {
+        Configuration {
             engine: Arc::clone(engine),
             setting,
         }
     }
 
     /// A column for each preset of the roster's engines that is wanted, in order.
-    pub fn presets(roster: &Roster, wanted: impl Fn(&Preset) -> bool) -> Vec<Column> {
+    pub fn presets(roster: &Roster, wanted: impl Fn(&Preset) -> bool) -> Vec<Configuration> {
         let mut columns = Vec::new();
         for engine in roster {
             let presets = engine.presets().into_iter().filter(&wanted);
-            columns.extend(presets.map(|preset| Column::with(engine, preset.setting)));
+            columns.extend(presets.map(|preset| Configuration::with(engine, preset.setting)));
         }
         columns
     }
 
     /// The columns in which engines solve before those in which they step; the order of each is kept.
-    pub fn solvers_first(columns: &mut [Column]) {
+    pub fn solvers_first(columns: &mut [Configuration]) {
         columns.sort_by_key(|column| !column.engine.solves());
     }
 
@@ -77,8 +77,8 @@ impl Column {
     }
 
     /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`. Errors: what is wrong and what would be right, in one sentence.
-    pub fn list(roster: &Roster, list: &str) -> Result<Vec<Column>, String> {
-        let mut columns: Vec<Column> = Vec::new();
+    pub fn list(roster: &Roster, list: &str) -> Result<Vec<Configuration>, String> {
+        let mut columns: Vec<Configuration> = Vec::new();
         let mut labels = HashSet::new();
         for item in list.split(',').map(str::trim) {
             let mut parts = item.split(':');
@@ -92,7 +92,7 @@ impl Column {
             };
             let setting = Setting::parse(parts)
                 .map_err(|refusal| format!("{}: {refusal}", printable(item)))?;
-            let column = Column::with(engine, setting);
+            let column = Configuration::with(engine, setting);
             if !labels.insert(column.label()) {
                 return Err(format!("`{}` is listed twice", printable(item)));
             }
@@ -130,7 +130,7 @@ impl Column {
     }
 }
 
-impl fmt::Debug for Column {
+impl fmt::Debug for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.label())
     }
@@ -158,6 +158,17 @@ pub struct Watch<'a> {
     pub progress: &'a (dyn Fn(usize, usize, &str) + Sync),
     /// Set when the user asks to stop.
     pub cancelled: &'a AtomicBool,
+}
+
+/// A flag that nobody sets.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl Watch<'static> {
+    /// Nobody watches, and nobody stops it.
+    pub const NONE: Watch<'static> = Watch {
+        progress: &|_, _, _| {},
+        cancelled: &NEVER,
+    };
 }
 
 impl Watch<'_> {
@@ -221,7 +232,7 @@ pub struct Timed {
 /// Runs one scene in every column. Answers one cell a column, in order, for any number of threads.
 pub fn run_row(
     scene: &Scene,
-    columns: &[Column],
+    columns: &[Configuration],
     record: Record,
     timing: Timing,
     watch: Watch<'_>,
@@ -236,14 +247,14 @@ pub fn run_row(
 /// The same with runs that end early where `limits` say so.
 pub fn run_row_within(
     scene: &Scene,
-    columns: &[Column],
+    columns: &[Configuration],
     record: Record,
     timing: Timing,
     limits: &Limits<'_>,
     watch: Watch<'_>,
 ) -> Vec<Cell> {
     let done = AtomicUsize::new(0);
-    let run = |column: &Column| {
+    let run = |column: &Configuration| {
         let cell = run_within(scene, column, record, timing, limits);
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
         (watch.progress)(
@@ -265,7 +276,7 @@ pub struct Job<'a> {
     /// What is run.
     pub scene: &'a Scene,
     /// In which engine, with which setting.
-    pub column: Column,
+    pub column: Configuration,
     /// Roughly how long it takes, ns; the longest start first.
     pub weight: f64,
 }
@@ -323,7 +334,7 @@ fn largest_first<T: Send>(
 /// `None` where the user asked to stop before as many runs were timed as must be.
 pub fn time_alone(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     effort: Effort,
     cancelled: &AtomicBool,
 ) -> Result<Option<Timed>, Refusal> {
@@ -384,7 +395,7 @@ const TOLD: usize = 200;
 pub fn run_samples<T: Send>(
     samples: usize,
     sample: impl Fn(usize) -> Scene + Sync,
-    columns: &[Column],
+    columns: &[Configuration],
     record: Record,
     watch: Watch<'_>,
     reduce: impl Fn(Result<Trace, Refusal>) -> T + Sync,
@@ -464,7 +475,7 @@ pub fn fold_blocks<T: Send>(
 /// Runs one scene in one column within a number of events, untimed. Errors: why there is no run that came to its own end.
 pub fn run_one(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     record: Record,
     limits: &Limits<'_>,
 ) -> Result<Trace, Refusal> {
@@ -499,7 +510,7 @@ pub struct Runner<'a> {
 
 impl Runner<'_> {
     /// Runs one scene in one column.
-    pub fn run(&self, scene: &Scene, column: &Column, record: Record) -> Cell {
+    pub fn run(&self, scene: &Scene, column: &Configuration, record: Record) -> Cell {
         run_within(scene, column, record, Timing::None, &self.limits)
     }
 
@@ -543,7 +554,7 @@ pub fn run_tasks<T: Send>(
 /// Runs one scene in one column.
 fn run_cell(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     record: Record,
     timing: Timing,
     cancelled: &AtomicBool,
@@ -557,7 +568,7 @@ fn run_cell(
 
 fn run_within(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     record: Record,
     timing: Timing,
     limits: &Limits<'_>,

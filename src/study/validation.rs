@@ -1,12 +1,12 @@
 //! The validation report: every scene of a set compared, the report's claims audited, one first screen.
 
 use super::claims::{self, Claim};
-use super::compare::{self, Cause, Outcome, PairOutcome};
+use super::compare::{self, Cause, ComparisonOutcome, PairOutcome};
 use super::cost::{self, PriceList};
 use super::curves;
 use super::ensemble;
 use super::extent::Extent;
-use super::matrix::{Column, Timing, Watch};
+use super::matrix::{Configuration, Timing, Watch};
 use crate::engine::{Engine, Roster};
 use crate::finding::{
     Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
@@ -25,7 +25,7 @@ const GOOD_WITHIN: f64 = 1e-2;
 pub fn study(
     roster: &Roster,
     scenes: &[Scene],
-    columns: &[Column],
+    columns: &[Configuration],
     prices: &[PriceList],
     watch: Watch<'_>,
 ) -> Result<Document, SceneError> {
@@ -76,8 +76,8 @@ pub fn study(
 
 /// The page of the impact laws beside published curves, in the engines of the report that promise to hold them; `None` if there are
 /// none.
-fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneError> {
-    let quick: Vec<Column> = columns
+fn laws(columns: &[Configuration], watch: Watch<'_>) -> Result<Option<Document>, SceneError> {
+    let quick: Vec<Configuration> = columns
         .iter()
         .filter(|column| column.is_preset(|preset| preset.sound))
         .cloned()
@@ -94,9 +94,9 @@ fn laws(columns: &[Column], watch: Watch<'_>) -> Result<Option<Document>, SceneE
 fn conclude(
     roster: &Roster,
     scenes: &[Scene],
-    outcomes: &[Outcome],
+    outcomes: &[ComparisonOutcome],
     claims: &[Claim],
-    columns: &[Column],
+    columns: &[Configuration],
     prices: &[PriceList],
 ) -> Document {
     let mut blocks = vec![Block::Table(scene_table(outcomes))];
@@ -138,8 +138,9 @@ fn conclude(
 
 /// The engines whose agreement the first sentence tells of: at their defaults, the first that steps, and the first after it that has
 /// nothing in common with it.
-fn rivals(columns: &[Column]) -> Option<[&Column; 2]> {
-    let stepping = |column: &&Column| !column.engine.solves() && column.setting.values.is_empty();
+fn rivals(columns: &[Configuration]) -> Option<[&Configuration; 2]> {
+    let stepping =
+        |column: &&Configuration| !column.engine.solves() && column.setting.values.is_empty();
     let mut stepping = columns.iter().filter(stepping);
     let first = stepping.next()?;
     let other = stepping.find(|other| other.engine.family() != first.engine.family())?;
@@ -149,12 +150,12 @@ fn rivals(columns: &[Column]) -> Option<[&Column; 2]> {
 /// "In n of m scenes the report's model and rapier agree ...; they part in ... because ...".
 ///
 /// They agree where both have the same collisions in the same order.
-fn first_sentence(outcomes: &[Outcome], columns: &[Column]) -> String {
+fn first_sentence(outcomes: &[ComparisonOutcome], columns: &[Configuration]) -> String {
     let Some(rivals) = rivals(columns) else {
         return "No two engines that step were compared.".to_owned();
     };
     let [model, rival] = rivals.map(|column| column.engine.about().name);
-    let pairs: Vec<(&Outcome, &PairOutcome)> = outcomes
+    let pairs: Vec<(&ComparisonOutcome, &PairOutcome)> = outcomes
         .iter()
         .filter_map(|o| Some((o, pair_of(o, rivals)?)))
         .collect();
@@ -206,11 +207,11 @@ fn capitalised(sentence: String) -> String {
 }
 
 /// Why two engines part in a scene: what moved the first of them to leave the exact solution.
-fn reason(outcome: &Outcome, rivals: [&Column; 2]) -> String {
+fn reason(outcome: &ComparisonOutcome, rivals: [&Configuration; 2]) -> String {
     if outcome.reference.is_none() {
         return "simultaneous hits leave no single right answer".to_owned();
     }
-    let labels = rivals.map(Column::label);
+    let labels = rivals.map(Configuration::label);
     let own = outcome.entries.iter();
     let own = own.filter(|entry| labels.contains(&entry.label()));
     let parted = own
@@ -227,8 +228,11 @@ fn reason(outcome: &Outcome, rivals: [&Column; 2]) -> String {
 }
 
 /// One engine against the other.
-fn pair_of<'a>(outcome: &'a Outcome, rivals: [&Column; 2]) -> Option<&'a PairOutcome> {
-    let labels = rivals.map(Column::label);
+fn pair_of<'a>(
+    outcome: &'a ComparisonOutcome,
+    rivals: [&Configuration; 2],
+) -> Option<&'a PairOutcome> {
+    let labels = rivals.map(Configuration::label);
     outcome.pairs.iter().find(|pair| {
         let label = |i: usize| outcome.entries[i].label();
         [label(pair.entries.0), label(pair.entries.1)] == labels
@@ -236,7 +240,7 @@ fn pair_of<'a>(outcome: &'a Outcome, rivals: [&Column; 2]) -> Option<&'a PairOut
 }
 
 /// One row a scene: what each engine did, its worst number, a picture, a link.
-fn scene_table(outcomes: &[Outcome]) -> Table {
+fn scene_table(outcomes: &[ComparisonOutcome]) -> Table {
     let mut labels: Vec<String> = Vec::new();
     for entry in outcomes.iter().flat_map(|outcome| &outcome.entries) {
         if !labels.contains(&entry.label()) {
@@ -282,7 +286,7 @@ fn scene_table(outcomes: &[Outcome]) -> Table {
     }
 }
 
-fn verdict(outcome: &Outcome, entry: &compare::Entry) -> Cell {
+fn verdict(outcome: &ComparisonOutcome, entry: &compare::ComparisonEntry) -> Cell {
     let trace = match &entry.cell {
         Ok(ran) => &ran.trace,
         Err(refusal) => return Cell::Verdict(Tone::Quiet, refusal.to_string()),
@@ -336,7 +340,7 @@ fn short(x: f64) -> String {
 }
 
 /// Error against time, one point a scene and engine.
-fn cost_figure(outcomes: &[Outcome]) -> Figure {
+fn cost_figure(outcomes: &[ComparisonOutcome]) -> Figure {
     let mut series: Vec<Series> = Vec::new();
     for outcome in outcomes {
         for entry in &outcome.entries {
@@ -382,7 +386,7 @@ fn cost_figure(outcomes: &[Outcome]) -> Figure {
 /// The engines of some columns, each once.
 fn engines_of<'a>(
     roster: &'a Roster,
-    columns: &'a [Column],
+    columns: &'a [Configuration],
 ) -> impl Iterator<Item = &'a Arc<dyn Engine>> {
     roster.iter().filter(|engine| {
         columns

@@ -7,7 +7,7 @@ use super::misplaced::of_scene;
 use super::problem::Problem;
 use super::wire::Request;
 use crate::scene::{Scene, catalogue, parse};
-use crate::study::Column;
+use crate::study::Configuration;
 use serde::Deserialize;
 use serde_json::Value;
 use toml::Table;
@@ -167,7 +167,7 @@ impl Asked {
     }
 
     /// The engines that run `scene`.
-    pub fn columns(&self, scene: &Scene) -> Result<Vec<Column>, Problem> {
+    pub fn columns(&self, scene: &Scene) -> Result<Vec<Configuration>, Problem> {
         match &self.list {
             Some(list) => columns(&self.engines.roster, list),
             None => self.engines.columns(scene),

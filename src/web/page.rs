@@ -113,7 +113,7 @@ fn page(asked: &Asked, drawn: &Drawn, answer: &str) -> Response {
 
 /// A list of the scenes that come with the program.
 fn picker(name: &str) -> String {
-    let option = |entry: &catalogue::Entry| {
+    let option = |entry: &catalogue::CatalogueEntry| {
         let of_it = entry.name == name || is_changed(name, entry.name);
         let selected = if of_it { " selected" } else { "" };
         format!("<option{selected}>{}</option>", entry.name)

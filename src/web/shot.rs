@@ -10,7 +10,7 @@ use crate::engine::Roster;
 use crate::report::{html, json, replay};
 use crate::scene::Scene;
 use crate::study::compare::{self, LengthUnit};
-use crate::study::{Answer, Column, Timing, Watch};
+use crate::study::{Answer, Configuration, Timing, Watch};
 use serde_json::json;
 
 /// Most events of a run of the exact engine on this page.
@@ -60,7 +60,7 @@ pub fn run(asked: &Asked, drawn: &Drawn, turns: &dyn Turns) -> Result<Shot, (u16
 }
 
 /// Each engine by itself, so that the times beside the results are what `carom compare` prints.
-fn compared(scene: &Scene, columns: &[Column], watch: Watch<'_>) -> Result<Answer, Problem> {
+fn compared(scene: &Scene, columns: &[Configuration], watch: Watch<'_>) -> Result<Answer, Problem> {
     Answer::to(scene, columns, Timing::Alone, MOST_EVENTS, watch)
         .map_err(|error| Problem::at("richer", error.to_string(), ""))
 }

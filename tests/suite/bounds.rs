@@ -9,7 +9,7 @@ use carom::scene::generate::{Recipe, generate};
 use carom::scene::{Diagnostics, Kind, Scene, SceneError, catalogue, parse};
 use carom::study::matrix::{MOST_COLUMNS, fold_blocks};
 use carom::study::mutation::Examples;
-use carom::study::{Column, Watch, ensemble, mutation, random};
+use carom::study::{Configuration, Watch, ensemble, mutation, random};
 use carom::trace::Record;
 use carom::trace::files::{self, Files, read};
 use std::process::Output;
@@ -65,7 +65,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
             first,
             scenes: u64::MAX,
             seed: 1,
-            columns: Column::list(crate::support::roster(), "exact").unwrap(),
+            columns: Configuration::list(crate::support::roster(), "exact").unwrap(),
             max_events: 10,
         };
         let outcome = random::study(plan, watch);
@@ -92,7 +92,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
         first: u64::MAX - 70,
         scenes: 70,
         seed: 1,
-        columns: Column::list(crate::support::roster(), "exact").unwrap(),
+        columns: Configuration::list(crate::support::roster(), "exact").unwrap(),
         max_events: 10,
     };
     assert_eq!(
@@ -246,7 +246,7 @@ fn samples_that_cannot_be_kept_are_refused_with_their_number() {
         scene,
         samples: usize::MAX,
         seed: 1,
-        columns: Column::list(crate::support::roster(), "exact,stepper").unwrap(),
+        columns: Configuration::list(crate::support::roster(), "exact,stepper").unwrap(),
     };
     let refused = ensemble::study(plan, stopping_at_once(&quiet, &never)).unwrap_err();
     assert_eq!(

@@ -8,8 +8,8 @@ use carom::math::Vec3;
 use carom::oracle::Precision;
 use carom::oracle::{BAND, horizon};
 use carom::scene::{Scene, catalogue};
-use carom::study::compare::{Cause, Outcome, default_columns, plan, study};
-use carom::study::{Column, Timing, Watch};
+use carom::study::compare::{Cause, ComparisonOutcome, default_columns, plan, study};
+use carom::study::{Configuration, Timing, Watch};
 use carom::trace::{EventKind, Record, Trace};
 use std::sync::atomic::AtomicBool;
 
@@ -19,12 +19,12 @@ fn exact(scene: &Scene) -> Trace {
     run("exact", &[], scene, Record::Events)
 }
 
-fn compared(scene: &Scene, columns: &[(&str, &str)]) -> Outcome {
-    let column = |&(engine, setting): &(&str, &str)| Column {
+fn compared(scene: &Scene, columns: &[(&str, &str)]) -> ComparisonOutcome {
+    let column = |&(engine, setting): &(&str, &str)| Configuration {
         engine: crate::support::find(engine).unwrap().clone(),
         setting: Setting::parse(setting.split_whitespace()).unwrap(),
     };
-    let columns: Vec<Column> = columns.iter().map(column).collect();
+    let columns: Vec<Configuration> = columns.iter().map(column).collect();
     let watch = Watch {
         progress: &|_, _, _| {},
         cancelled: &NEVER,
@@ -222,7 +222,7 @@ fn richer_scene_measures_what_the_poorer_one_leaves_out() {
     let (scene, richer) = (shot(0.2), shot(0.25));
     let columns = plan(
         crate::support::roster(),
-        &[Column::of(crate::support::find("stepper").unwrap())],
+        &[Configuration::of(crate::support::find("stepper").unwrap())],
     );
     let watch = Watch {
         progress: &|_, _, _| {},

@@ -6,10 +6,10 @@ use carom::engine::Setting;
 use carom::finding::{Block, Cell, Document, Table};
 use carom::scene::{Scene, catalogue};
 use carom::study::cost::{
-    Grid, Kind, Measured, Offer, Outcome, PriceList, Quantity, THRESHOLDS, front, listing, offers,
-    page, study, summary,
+    CostOutcome, Grid, Kind, Measured, Offer, PriceList, Quantity, THRESHOLDS, front, listing,
+    offers, page, study, summary,
 };
-use carom::study::{Column, Watch};
+use carom::study::{Configuration, Watch};
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -22,9 +22,9 @@ fn watch() -> Watch<'static> {
     }
 }
 
-fn of(engines: &[&str], scene: &Scene) -> Outcome {
-    let column = |id: &&str| Column::of(crate::support::find(id).unwrap());
-    let named: Vec<Column> = engines.iter().map(column).collect();
+fn of(engines: &[&str], scene: &Scene) -> CostOutcome {
+    let column = |id: &&str| Configuration::of(crate::support::find(id).unwrap());
+    let named: Vec<Configuration> = engines.iter().map(column).collect();
     study(
         crate::support::roster(),
         scene,
@@ -34,7 +34,7 @@ fn of(engines: &[&str], scene: &Scene) -> Outcome {
     )
 }
 
-fn family<'a>(outcome: &'a Outcome, label: &str) -> &'a Measured {
+fn family<'a>(outcome: &'a CostOutcome, label: &str) -> &'a Measured {
     let mut families = outcome.families.iter();
     let found = families.find(|measured| measured.family.label() == label);
     found.unwrap_or_else(|| panic!("no family {label}"))
@@ -283,7 +283,7 @@ fn times_within_the_noise_do_not_change_a_front() {
 #[test]
 fn verdicts_and_errors_are_the_same_in_every_run() {
     let scene = oblique_hit();
-    let conclusions = |outcome: &Outcome| -> Vec<String> {
+    let conclusions = |outcome: &CostOutcome| -> Vec<String> {
         let families = outcome.families.iter();
         families
             .map(|m| {
@@ -315,7 +315,7 @@ fn a_study_that_is_stopped_concludes_from_what_it_has() {
         progress: &progress,
         cancelled: &stop,
     };
-    let named = [Column::of(crate::support::find("stepper").unwrap())];
+    let named = [Configuration::of(crate::support::find("stepper").unwrap())];
     let outcome = study(
         crate::support::roster(),
         &oblique_hit(),
@@ -334,7 +334,7 @@ fn a_study_that_is_stopped_concludes_from_what_it_has() {
 #[test]
 fn a_given_setting_holds_at_every_level() {
     let setting = Setting::default().with("dt", "2e-3");
-    let named = [Column {
+    let named = [Configuration {
         engine: crate::support::find("rapier-f64").unwrap().clone(),
         setting,
     }];

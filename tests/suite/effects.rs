@@ -6,9 +6,10 @@ use carom::finding::{Block, Cell, Document, Style, Table};
 use carom::physics::{Cloth, Contact, Effects, Friction};
 use carom::scene::{Scene, catalogue};
 use carom::study::effects::{
-    Optional, Outcome, Plan, Verdict, WHOLE, dependents, page, present, reduced, study, summary,
+    EffectsOutcome, Optional, Plan, Verdict, WHOLE, dependents, page, present, reduced, study,
+    summary,
 };
-use carom::study::{Column, Watch, curves};
+use carom::study::{Configuration, Watch, curves};
 use std::process::Output;
 use std::sync::atomic::AtomicBool;
 
@@ -34,12 +35,12 @@ fn watch() -> Watch<'static> {
     }
 }
 
-fn columns(engines: &[&str]) -> Vec<Column> {
-    let column = |id: &&str| Column::of(crate::support::find(id).unwrap());
+fn columns(engines: &[&str]) -> Vec<Configuration> {
+    let column = |id: &&str| Configuration::of(crate::support::find(id).unwrap());
     engines.iter().map(column).collect()
 }
 
-fn ablation(scene: &Scene) -> Outcome {
+fn ablation(scene: &Scene) -> EffectsOutcome {
     study(scene, &columns(&["exact"]), THRESHOLD, watch()).unwrap()
 }
 
@@ -60,7 +61,7 @@ fn table<'a>(document: &'a Document, id: &str) -> &'a Table {
     found.unwrap_or_else(|| panic!("no table {id}"))
 }
 
-fn verdict(outcome: &Outcome, effect: Optional) -> Verdict {
+fn verdict(outcome: &EffectsOutcome, effect: Optional) -> Verdict {
     let variant = outcome.plan.without.iter().find(|v| v.effect == effect);
     outcome.verdict(variant.unwrap_or_else(|| panic!("{effect:?} cannot be left out")))
 }
@@ -371,7 +372,7 @@ fn a_scene_without_an_end_is_said_to_have_none() {
 #[test]
 fn refusals_are_counted() {
     let mut columns = columns(&["exact"]);
-    columns.push(Column {
+    columns.push(Configuration {
         engine: crate::support::find("stepper").unwrap().clone(),
         setting: Setting::default().with("dt", 0.0),
     });

@@ -11,9 +11,9 @@ use carom::scene::perturb::Law;
 use carom::scene::{Scene, catalogue};
 use carom::study::compare;
 use carom::study::ensemble::{
-    Entry, Outcome, Plan, Quantity, page, study, summary, surround, surroundings,
+    EnsembleEntry, EnsembleOutcome, Plan, Quantity, page, study, summary, surround, surroundings,
 };
-use carom::study::{Column, Timing, Watch};
+use carom::study::{Configuration, Timing, Watch};
 use serde_json::Value;
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,8 +27,8 @@ fn watch() -> Watch<'static> {
     }
 }
 
-fn columns(engines: &[(&str, &str)]) -> Vec<Column> {
-    let column = |&(engine, setting): &(&str, &str)| Column {
+fn columns(engines: &[(&str, &str)]) -> Vec<Configuration> {
+    let column = |&(engine, setting): &(&str, &str)| Configuration {
         engine: crate::support::find(engine).unwrap().clone(),
         setting: Setting::parse(setting.split_whitespace()).unwrap(),
     };
@@ -45,12 +45,12 @@ fn plan(scene: &Scene, samples: usize, engines: &[(&str, &str)]) -> Plan {
     }
 }
 
-fn ensemble(scene: &Scene, samples: usize, engines: &[(&str, &str)]) -> Outcome {
+fn ensemble(scene: &Scene, samples: usize, engines: &[(&str, &str)]) -> EnsembleOutcome {
     study(plan(scene, samples, engines), watch()).unwrap()
 }
 
 /// Final position of a ball in every complete sample.
-fn ends(entry: &Entry, ball: usize) -> Vec<[f64; 2]> {
+fn ends(entry: &EnsembleEntry, ball: usize) -> Vec<[f64; 2]> {
     entry
         .complete()
         .map(|(_, landing)| landing.at[ball].unwrap())

@@ -7,7 +7,7 @@ use carom::physics::EFFECTS;
 use carom::scene::adversarial::{MOST_BALLS, adversarial};
 use carom::scene::{Scene, parse};
 use carom::study::random::{Plan, check, scene, study};
-use carom::study::{Column, Watch};
+use carom::study::{Configuration, Watch};
 use carom::trace::{Ending, Trace};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicBool;
@@ -32,7 +32,7 @@ fn exact_and_the_stepper_hold_in_ten_thousand_scenes_that_look_for_trouble() {
         first: 0,
         scenes: SCENES,
         seed: SEED,
-        columns: Column::list(
+        columns: Configuration::list(
             crate::support::roster(),
             "exact,stepper:contact=approaching-only",
         )
@@ -52,7 +52,7 @@ fn exact_and_the_stepper_hold_in_ten_thousand_scenes_that_look_for_trouble() {
         );
     }
     let [exact, stepper] = [&outcome.entries[0], &outcome.entries[1]];
-    let endings = |entry: &carom::study::random::Entry| -> Vec<&str> {
+    let endings = |entry: &carom::study::random::RandomEntry| -> Vec<&str> {
         entry.endings.keys().copied().collect()
     };
     assert!(
@@ -202,7 +202,7 @@ fn the_try_of_a_scene_sets_what_the_command_line_leaves_open() {
         ("exact", "exact partners=all"),
         ("rapier-f64", "rapier-f64"),
     ] {
-        let column = &Column::list(crate::support::roster(), list).unwrap()[0];
+        let column = &Configuration::list(crate::support::roster(), list).unwrap()[0];
         assert_eq!(column.as_tried(&scene).label(), label);
     }
 }

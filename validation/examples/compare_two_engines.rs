@@ -4,7 +4,7 @@
 use carom::engine::{Limits, Roster};
 use carom::report::FORMATS;
 use carom::study::compare::LengthUnit;
-use carom::study::{Answer, Column, Timing, Watch};
+use carom::study::{Answer, Configuration, Timing, Watch};
 use std::error::Error;
 
 const SCENE: &str = r#"
@@ -28,9 +28,12 @@ mu = 0.2
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = carom::scene::parse("two-balls.toml", SCENE)?;
-    let columns = Column::list(&Roster::built_in(), "exact,stepper:dt=2e-3")?;
+    let columns = Configuration::list(&Roster::built_in(), "exact,stepper:dt=2e-3")?;
     let most = Limits::NONE.max_events;
     let answer = Answer::to(&scene, &columns, Timing::None, most, Watch::NONE)?;
-    print!("{}", (FORMATS[0].write)(&answer.summary(LengthUnit::Radius)));
+    print!(
+        "{}",
+        (FORMATS[0].write)(&answer.summary(LengthUnit::Radius))
+    );
     Ok(())
 }

@@ -15,13 +15,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         final_states: text(files::FINAL)?,
         run: text(files::RUN)?,
     })?;
-    println!("{} collisions; {}", trace.collisions().count(), trace.ending.id());
+    println!(
+        "{} collisions; {}",
+        trace.collisions().count(),
+        trace.ending.id()
+    );
     for (ball, path) in trace.balls.iter().zip(&trace.paths) {
-        let knots = path.knots();
+        let knots = &path.knots;
         let pieces = knots.windows(2);
         let steps = pieces.map(|two| (two[1].state.position - two[0].state.position).norm());
         let end = knots.last().map(|knot| knot.state.position);
-        println!("{ball}: {:.3} in all, ends at {end:.3?}", steps.sum::<f64>());
+        println!(
+            "{ball}: {:.3} in all, ends at {end:.3?}",
+            steps.sum::<f64>()
+        );
     }
     Ok(())
 }

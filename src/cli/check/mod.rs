@@ -3,7 +3,7 @@
 mod built_from;
 mod outputs;
 
-use super::accepted::{self, Place, Use};
+use super::accepted::{self, AcceptedPlace, Use};
 use super::arguments::CheckArguments;
 use super::exit::Exit;
 use super::{Failure, output, publish, terminal, versions};
@@ -47,7 +47,7 @@ pub fn check(arguments: &CheckArguments, roster: &Roster) -> Result<ExitCode, Fa
         accepted::named(&named)?
     };
     let random = whole || !random.is_empty();
-    let place = Place::new(&BASELINES, arguments.baseline.as_deref(), arguments.accept)?;
+    let place = AcceptedPlace::new(&BASELINES, arguments.baseline.as_deref(), arguments.accept)?;
     built_from::demand(roster, &arguments.built_from)?;
     let mut names: Vec<String> = scenes.iter().map(|scene| scene.name.clone()).collect();
     names.extend(random.then(|| RANDOM.to_owned()));
@@ -99,11 +99,18 @@ pub fn check(arguments: &CheckArguments, roster: &Roster) -> Result<ExitCode, Fa
 }
 
 /// Writes a document of a check; the function says how a scene, engine and level stands to what was accepted.
-type Writer = fn(&crate::study::check::Outcome, &dyn Fn(&str, &str, Level) -> Against) -> Document;
+type Writer =
+    fn(&crate::study::check::CheckOutcome, &dyn Fn(&str, &str, Level) -> Against) -> Document;
 
 /// A document with the first `most` changes in it, after its opening. `listed`: as sentences, for a terminal, which is too narrow for a
 /// table of them.
-fn document(held: &Held, place: &Place<'_>, write: Writer, most: usize, listed: bool) -> Document {
+fn document(
+    held: &Held,
+    place: &AcceptedPlace<'_>,
+    write: Writer,
+    most: usize,
+    listed: bool,
+) -> Document {
     let changed = |scene: &str, engine: &str, level| held.against(scene, engine, level);
     let mut document = write(&held.outcome, &changed);
     let ran = std::mem::replace(&mut document.lead, sentence(held, place));
@@ -133,7 +140,7 @@ fn document(held: &Held, place: &Place<'_>, write: Writer, most: usize, listed: 
 }
 
 /// How the findings stand to the accepted ones.
-fn sentence(held: &Held, place: &Place<'_>) -> String {
+fn sentence(held: &Held, place: &AcceptedPlace<'_>) -> String {
     let held_against = place.words();
     let missing = held.outcome.missing();
     if missing > 0 {
@@ -180,7 +187,11 @@ fn sentence(held: &Held, place: &Place<'_>) -> String {
 }
 
 /// Files that other programs read, and what GitHub's runner is told.
-fn write(held: &Held, arguments: &CheckArguments, place: &Place<'_>) -> Result<(), Failure> {
+fn write(
+    held: &Held,
+    arguments: &CheckArguments,
+    place: &AcceptedPlace<'_>,
+) -> Result<(), Failure> {
     if let Some(file) = &arguments.junit {
         let xml = outputs::junit(held, place).map_err(Failure::Message)?;
         output::write_file(file, xml.as_bytes())?;
@@ -214,7 +225,7 @@ fn append(file: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// Writes the baselines of the scenes in which something changed.
-fn accept(held: &Held, place: &Place<'_>, reason: &str) -> Result<ExitCode, Failure> {
+fn accept(held: &Held, place: &AcceptedPlace<'_>, reason: &str) -> Result<ExitCode, Failure> {
     if let Err(refused) = held.standing().acceptance() {
         return Ok(accepted::refuse(&refused));
     }
@@ -248,7 +259,7 @@ fn decide(
     held: &Held,
     printed: ExitCode,
     arguments: &CheckArguments,
-    place: &Place<'_>,
+    place: &AcceptedPlace<'_>,
 ) -> Result<ExitCode, Failure> {
     let standing = held.standing();
     match standing.decision() {

@@ -1,6 +1,6 @@
 //! What programs of a pipeline read: JUnit XML, and annotations of GitHub's runner.
 
-use crate::cli::accepted::Place;
+use crate::cli::accepted::AcceptedPlace;
 use crate::gate::{Change, Held};
 use crate::oracle;
 use crate::scene::printable;
@@ -15,7 +15,7 @@ const SHOWN: usize = 10;
 
 /// JUnit XML: one suite a scene, one test case an engine and level, and a suite of baselines that no scene reads, where there are
 /// any. Errors: what cannot be written, in one sentence.
-pub fn junit(held: &Held, place: &Place<'_>) -> Result<String, String> {
+pub fn junit(held: &Held, place: &AcceptedPlace<'_>) -> Result<String, String> {
     let mut report = Report::new("carom check");
     for name in held.outcome.names() {
         let mut suite = TestSuite::new(printable(name));
@@ -48,7 +48,7 @@ fn without_skipped_in_all(xml: &str) -> String {
     lines.collect()
 }
 
-fn test_case(held: &Held, place: &Place<'_>, case: &Case) -> TestCase {
+fn test_case(held: &Held, place: &AcceptedPlace<'_>, case: &Case) -> TestCase {
     let status = match (&case.state, failure(held, place, case)) {
         (State::Refused(why), _) => {
             // the schema gives it a text and no attributes
@@ -94,13 +94,21 @@ fn unread(file: &str) -> TestCase {
 }
 
 /// What is wrong with a case, in lines that a person can act on, and its kind; `None` where nothing is.
-fn failure(held: &Held, place: &Place<'_>, case: &Case) -> Option<(&'static str, Vec<String>)> {
+fn failure(
+    held: &Held,
+    place: &AcceptedPlace<'_>,
+    case: &Case,
+) -> Option<(&'static str, Vec<String>)> {
     let (kind, lines) = wrong(held, place, case)?;
     Some((kind, lines.iter().map(|line| printable(line)).collect()))
 }
 
 /// The same with names as they are.
-fn wrong(held: &Held, place: &Place<'_>, case: &Case) -> Option<(&'static str, Vec<String>)> {
+fn wrong(
+    held: &Held,
+    place: &AcceptedPlace<'_>,
+    case: &Case,
+) -> Option<(&'static str, Vec<String>)> {
     let broken: Vec<String> = held
         .outcome
         .broken
@@ -151,7 +159,7 @@ fn with_advice(
     held: &Held,
     case: &Case,
     mut lines: Vec<String>,
-    place: Option<&Place<'_>>,
+    place: Option<&AcceptedPlace<'_>>,
 ) -> Vec<String> {
     if held.accepted_of(&case.scene).is_some() {
         lines.push(held.since(&case.scene, &case.engine));
@@ -188,7 +196,7 @@ fn with_advice(
 }
 
 /// Lines by which GitHub's runner marks lines of baselines, one a failing case; where those are built in there is no line to mark.
-pub fn annotations(held: &Held, place: &Place<'_>) -> Vec<String> {
+pub fn annotations(held: &Held, place: &AcceptedPlace<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for case in &held.outcome.cases {
         let Some((_, words)) = failure(held, place, case).filter(|_| case.state == State::Ran)

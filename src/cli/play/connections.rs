@@ -22,7 +22,7 @@ pub enum Doing {
 
 /// One connection.
 #[derive(Debug)]
-struct Entry {
+struct OpenConnection {
     /// Counted from the first of all.
     number: u64,
     doing: Doing,
@@ -33,23 +33,23 @@ struct Entry {
 #[derive(Debug)]
 pub struct Connections {
     most: usize,
-    known: Mutex<(u64, Vec<Entry>)>,
+    known: Mutex<(u64, Vec<OpenConnection>)>,
 }
 
 /// What became of a new connection.
 #[derive(Debug)]
 pub enum Entered {
     /// It has a place.
-    Place(Place),
+    Place(ConnectionPlace),
     /// It has a place that another had to leave, which is told so if it has been told nothing yet.
-    InPlaceOf(Place, Arc<TcpStream>, Doing),
+    InPlaceOf(ConnectionPlace, Arc<TcpStream>, Doing),
     /// There is no room.
     Full(Arc<TcpStream>),
 }
 
 /// The place of one connection; free again when it is dropped.
 #[derive(Debug)]
-pub struct Place {
+pub struct ConnectionPlace {
     connections: Arc<Connections>,
     number: u64,
     /// The connection.
@@ -81,12 +81,12 @@ impl Connections {
             }
         }
         *last += 1;
-        entries.push(Entry {
+        entries.push(OpenConnection {
             number: *last,
             doing: Doing::Asking,
             socket: Arc::clone(&socket),
         });
-        let place = Place {
+        let place = ConnectionPlace {
             connections: Arc::clone(self),
             number: *last,
             socket,
@@ -97,12 +97,12 @@ impl Connections {
         }
     }
 
-    fn known(&self) -> MutexGuard<'_, (u64, Vec<Entry>)> {
+    fn known(&self) -> MutexGuard<'_, (u64, Vec<OpenConnection>)> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Place {
+impl ConnectionPlace {
     /// Says what the other side does from now on; false if it had to go.
     pub fn is(&self, doing: Doing) -> bool {
         let mut known = self.connections.known();
@@ -111,7 +111,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for ConnectionPlace {
     fn drop(&mut self) {
         self.connections
             .known()
@@ -129,7 +129,7 @@ pub fn end(socket: &TcpStream) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::expect_used)]
 mod tests {
-    use super::{Connections, Doing, Entered, Place};
+    use super::{ConnectionPlace, Connections, Doing, Entered};
     use std::net::{TcpListener, TcpStream};
 
     /// Both ends of a connection.
@@ -138,7 +138,7 @@ mod tests {
         (listener.accept().unwrap().0, there)
     }
 
-    fn placed(entered: Entered) -> Place {
+    fn placed(entered: Entered) -> ConnectionPlace {
         match entered {
             Entered::Place(place) => place,
             other => panic!("{other:?}"),

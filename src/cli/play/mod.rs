@@ -7,7 +7,7 @@ use super::exit::Exit;
 use super::{Failure, scene, terminal};
 use crate::engine::Roster;
 use crate::web::{self, Problem, Response, Site, Turn, Turns, Unread};
-use connections::{Connections, Doing, Entered, Place, end};
+use connections::{ConnectionPlace, Connections, Doing, Entered, end};
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::process::{Command, ExitCode, Stdio};
@@ -188,7 +188,7 @@ fn turn_away(mut socket: &TcpStream, why: &str) {
 
 impl Server {
     /// Answers the one request of a connection.
-    fn serve(&self, place: &Place) {
+    fn serve(&self, place: &ConnectionPlace) {
         let mut stream = Timely::new(&place.socket);
         let request = match web::read(&mut stream) {
             Ok(request) => request,
@@ -293,19 +293,19 @@ impl<'a> Timely<'a> {
     }
 
     /// Sends the answer to a request, which has a time of its own: what came before it was the time of this program.
-    fn answer(&mut self, response: &Response, head_only: bool, place: &Place) {
+    fn answer(&mut self, response: &Response, head_only: bool, place: &ConnectionPlace) {
         self.until = Instant::now() + PATIENCE;
         self.send(response, head_only, place);
     }
 
     /// Says what is wrong with a request, within the time that it had to arrive.
-    fn refuse(&mut self, response: &Response, place: &Place) {
+    fn refuse(&mut self, response: &Response, place: &ConnectionPlace) {
         self.until = self.until.max(Instant::now() + LAST_WORDS);
         self.send(response, false, place);
     }
 
     /// Sends an answer, and waits for it to be taken as long as there is time.
-    fn send(&mut self, response: &Response, head_only: bool, place: &Place) {
+    fn send(&mut self, response: &Response, head_only: bool, place: &ConnectionPlace) {
         if response.write(self, head_only).is_err()
             || self.socket.shutdown(Shutdown::Write).is_err()
             || !place.is(Doing::Leaving)

@@ -23,7 +23,7 @@ const MOST_DATA: usize = 620_000;
 pub const REPLAY: &str = "<div class=\"replay\"";
 
 /// Where a block stands.
-pub struct Place<'a> {
+pub struct BlockPlace<'a> {
     /// The page.
     pub page: &'a Page<'a>,
     /// All pages.
@@ -33,7 +33,7 @@ pub struct Place<'a> {
 }
 
 /// All blocks of a page. A table and a bare picture that follows it stand beside each other where there is room.
-pub fn all(place: &Place) -> String {
+pub fn all(place: &BlockPlace) -> String {
     let blocks = &place.page.document.blocks;
     let bare =
         |k: usize| matches!(blocks.get(k), Some(Block::Figure(figure)) if svg::is_bare(figure));
@@ -52,7 +52,7 @@ pub fn all(place: &Place) -> String {
 }
 
 /// One block; `name`: its anchor.
-fn block(block: &Block, name: &str, place: &Place) -> String {
+fn block(block: &Block, name: &str, place: &BlockPlace) -> String {
     match block {
         Block::Heading(words) => format!("<h2 id=\"{name}\">{}</h2>\n", inline(words)),
         Block::Text(words) => format!("<p>{}</p>\n", inline(words)),
@@ -69,7 +69,7 @@ fn block(block: &Block, name: &str, place: &Place) -> String {
     }
 }
 
-impl Place<'_> {
+impl BlockPlace<'_> {
     /// The way to a file of the site.
     fn file(&self, kind: &str, name: &str, extension: &str) -> String {
         root(self.page).to_owned() + &file(self.page, kind, name, extension)
@@ -103,7 +103,7 @@ pub fn together(words: &str) -> String {
     text
 }
 
-fn table(table: &Table, name: &str, place: &Place) -> String {
+fn table(table: &Table, name: &str, place: &BlockPlace) -> String {
     let title = if table.title.is_empty() {
         String::new()
     } else {
@@ -178,7 +178,7 @@ fn heading(column: &Column) -> String {
     )
 }
 
-fn cell(cell: &Cell, place: &Place) -> String {
+fn cell(cell: &Cell, place: &BlockPlace) -> String {
     match cell {
         Cell::Empty => "<span class=\"none\" aria-label=\"no value\">–</span>".to_owned(),
         Cell::Text(words) => inline(&in_cell(words)),
@@ -215,7 +215,7 @@ fn cell(cell: &Cell, place: &Place) -> String {
     }
 }
 
-fn figure(figure: &Figure, name: &str, place: &Place) -> String {
+fn figure(figure: &Figure, name: &str, place: &BlockPlace) -> String {
     let drawing = svg::draw(figure, name);
     let remarks: String = drawing
         .remarks

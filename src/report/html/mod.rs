@@ -13,7 +13,7 @@ use super::names::{Page, Pages};
 use super::svg;
 use super::words::plain;
 use crate::finding::{Block, Cell, Document};
-use blocks::Place;
+use blocks::BlockPlace;
 use policy::Shell;
 
 /// What the first page is called where its title would be too long.
@@ -32,7 +32,7 @@ pub fn write(document: &Document) -> Vec<(String, String)> {
 pub fn fragment(document: &Document) -> String {
     let pages = Pages::of(document);
     let page = &pages.list[0];
-    let place = Place {
+    let place = BlockPlace {
         page,
         pages: &pages,
         in_site: false,
@@ -91,7 +91,7 @@ fn root(page: &Page) -> &'static str {
 
 fn page(pages: &Pages, index: usize) -> String {
     let page = &pages.list[index];
-    let place = Place {
+    let place = BlockPlace {
         page,
         pages,
         in_site: true,

@@ -16,10 +16,10 @@ pub struct Legend {
     /// Width of the longest row, px.
     pub width: f64,
     crowded: bool,
-    entries: Vec<Entry>,
+    entries: Vec<LegendEntry>,
 }
 
-struct Entry {
+struct LegendEntry {
     x: f64,
     y: f64,
     name: String,
@@ -58,7 +58,7 @@ impl Legend {
                 let mut mine = figure.series.iter().filter(|series| series.name == *name);
                 mine.any(|series| wanted(&series.style))
             };
-            legend.entries.push(Entry {
+            legend.entries.push(LegendEntry {
                 x,
                 y,
                 name: (*name).to_owned(),

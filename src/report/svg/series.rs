@@ -1,6 +1,6 @@
 //! Curves, points and balls.
 
-use super::simplify::{self, Place};
+use super::simplify::{self, PaperPoint};
 use super::{Plane, lettering, names, px};
 use crate::finding::{Figure, Series, Style};
 
@@ -151,7 +151,7 @@ impl Marker {
     }
 
     /// The shape around a place; `r`: its radius, px.
-    pub fn at(self, (x, y): Place, r: f64) -> String {
+    pub fn at(self, (x, y): PaperPoint, r: f64) -> String {
         let square = || {
             format!(
                 "M{} {}h{d}v{d}h-{d}z",
@@ -210,7 +210,7 @@ impl Marker {
 }
 
 /// Two strokes across each other.
-fn crossed((x, y): Place, r: f64) -> String {
+fn crossed((x, y): PaperPoint, r: f64) -> String {
     format!(
         "M{} {}l{d} {d}m0 -{d}l-{d} {d}",
         px(x - r),
@@ -270,7 +270,7 @@ pub fn is_crowded(figure: &Figure) -> bool {
 }
 
 /// Stretches of points that can be shown, without those that cannot.
-pub fn places_in_order(series: &Series, plane: &Plane) -> Vec<Vec<Place>> {
+pub fn places_in_order(series: &Series, plane: &Plane) -> Vec<Vec<PaperPoint>> {
     let mut runs = vec![Vec::new()];
     for &point in &series.points {
         match (plane.place(point), runs.last_mut()) {
@@ -349,7 +349,7 @@ fn dots(series: &Series, plane: &Plane, pen: &Pen, index: Option<usize>) -> Stri
 }
 
 /// A point of a crowd: a ring for the first name, which is seen upon the dots of the others; `r`: its largest radius, px.
-pub fn dot((x, y): Place, index: Option<usize>, r: f64) -> String {
+pub fn dot((x, y): PaperPoint, index: Option<usize>, r: f64) -> String {
     let (class, r) = match index {
         Some(0) => ("m", r.min(2.4)),
         _ => ("d", r.min(1.6)),
@@ -362,7 +362,12 @@ pub fn dot((x, y): Place, index: Option<usize>, r: f64) -> String {
     )
 }
 
-fn warnings(series: &Series, plane: &Plane, pen: &Pen, shape: fn(Place, f64) -> String) -> String {
+fn warnings(
+    series: &Series,
+    plane: &Plane,
+    pen: &Pen,
+    shape: fn(PaperPoint, f64) -> String,
+) -> String {
     let shapes = places(series, plane)
         .into_iter()
         .map(|place| shape(place, 1.9 * pen.point));
@@ -370,7 +375,7 @@ fn warnings(series: &Series, plane: &Plane, pen: &Pen, shape: fn(Place, f64) -> 
 }
 
 /// A ring of radius `r`, px.
-pub fn ring((x, y): Place, r: f64) -> String {
+pub fn ring((x, y): PaperPoint, r: f64) -> String {
     format!(
         "<circle class=\"o\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
         px(x),
@@ -393,7 +398,7 @@ fn words(series: &Series, plane: &Plane) -> String {
 }
 
 /// A ring around a point, with nothing in it.
-pub fn warning_ring((x, y): Place, r: f64) -> String {
+pub fn warning_ring((x, y): PaperPoint, r: f64) -> String {
     format!(
         "<circle class=\"z\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
         px(x),
@@ -403,7 +408,7 @@ pub fn warning_ring((x, y): Place, r: f64) -> String {
 }
 
 /// A large cross.
-pub fn cross(place: Place, r: f64) -> String {
+pub fn cross(place: PaperPoint, r: f64) -> String {
     format!("<path class=\"z\" d=\"{}\"/>", crossed(place, r))
 }
 
@@ -417,7 +422,7 @@ fn discs(series: &Series, plane: &Plane, radius: f64) -> String {
 }
 
 /// Places of points, each once: those that fall on the same tenth of a pixel are one.
-fn places(series: &Series, plane: &Plane) -> Vec<Place> {
+fn places(series: &Series, plane: &Plane) -> Vec<PaperPoint> {
     let mut seen = std::collections::BTreeSet::new();
     let shown = series.points.iter().filter_map(|&point| plane.place(point));
     shown

@@ -1,13 +1,13 @@
 //! Fewer points for the same picture.
 
 /// A place on the paper, px.
-pub type Place = (f64, f64);
+pub type PaperPoint = (f64, f64);
 
 /// Longest stretch simplified at once; bounds the time that a line of a million points can take.
 const STRETCH: usize = 2048;
 
 /// A line that is nowhere further than about `tolerance` px from the one through `places`.
-pub fn line(places: &[Place], tolerance: f64) -> Vec<Place> {
+pub fn line(places: &[PaperPoint], tolerance: f64) -> Vec<PaperPoint> {
     let places = columns(places, tolerance);
     let mut kept = Vec::new();
     let mut start = 0;
@@ -21,7 +21,7 @@ pub fn line(places: &[Place], tolerance: f64) -> Vec<Place> {
 }
 
 /// Of consecutive places within one column of paper, the first, the highest, the lowest and the last, in order.
-fn columns(places: &[Place], width: f64) -> Vec<Place> {
+fn columns(places: &[PaperPoint], width: f64) -> Vec<PaperPoint> {
     let mut kept = Vec::new();
     let mut start = 0;
     while start < places.len() {
@@ -54,7 +54,7 @@ fn columns(places: &[Place], width: f64) -> Vec<Place> {
 }
 
 /// Douglas and Peucker 1973, without recursion; adds all but the last place.
-fn stretch(places: &[Place], tolerance: f64, kept: &mut Vec<Place>) {
+fn stretch(places: &[PaperPoint], tolerance: f64, kept: &mut Vec<PaperPoint>) {
     let mut keep = vec![false; places.len()];
     keep[0] = true;
     let mut open = vec![(0, places.len() - 1)];
@@ -77,7 +77,7 @@ fn stretch(places: &[Place], tolerance: f64, kept: &mut Vec<Place>) {
 }
 
 /// Distance of `p` from the piece of line between `a` and `b`.
-fn distance(p: Place, a: Place, b: Place) -> f64 {
+fn distance(p: PaperPoint, a: PaperPoint, b: PaperPoint) -> f64 {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let length = dx * dx + dy * dy;
     let along = if length > 0.0 {

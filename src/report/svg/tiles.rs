@@ -1,7 +1,7 @@
 //! Fields of a matrix: a shade and a sign, which can be read without colour.
 
 use super::scale::Scale;
-use super::simplify::Place;
+use super::simplify::PaperPoint;
 use super::{Plane, px};
 use crate::finding::{Figure, Sign, Style};
 
@@ -21,7 +21,7 @@ pub fn drawn(figure: &Figure, plane: &Plane) -> String {
 }
 
 /// Fields of this width and height around places, px.
-pub fn fields(places: &[Place], (wide, high): (f64, f64), sign: Sign) -> String {
+pub fn fields(places: &[PaperPoint], (wide, high): (f64, f64), sign: Sign) -> String {
     if places.is_empty() {
         return String::new();
     }

@@ -10,7 +10,7 @@ use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::{Scene, SetName};
 use crate::study::compare::describe_kind;
-use crate::study::matrix::{Column, Runner};
+use crate::study::matrix::{Configuration, Runner};
 use crate::study::stability::examine;
 use crate::trace::{Event, Record, Trace};
 
@@ -38,7 +38,12 @@ pub struct Found {
 }
 
 /// Runs a cell and says what it finds.
-pub fn run(scene: &Scene, column: &Column, oracle: Option<&Oracle>, runner: Runner<'_>) -> Found {
+pub fn run(
+    scene: &Scene,
+    column: &Configuration,
+    oracle: Option<&Oracle>,
+    runner: Runner<'_>,
+) -> Found {
     let hard = scene.is_in(SetName::Hard);
     let promised = column.engine.promises(scene, &column.setting);
     // a verdict speaks of every image, a promise of those that are promised
@@ -72,7 +77,7 @@ pub fn run(scene: &Scene, column: &Column, oracle: Option<&Oracle>, runner: Runn
     }
 }
 
-fn refused(scene: &Scene, column: &Column, why: String) -> Found {
+fn refused(scene: &Scene, column: &Configuration, why: String) -> Found {
     let mut cell = Writer {
         scene,
         label: column.label(),

@@ -8,7 +8,7 @@ use crate::oracle;
 use crate::scene::Scene;
 use crate::scene::perturb::{Law, Perturbation};
 use crate::study::ensemble::{Landing, Quantity};
-use crate::study::matrix::{Column, Runner};
+use crate::study::matrix::{Configuration, Runner};
 use crate::trace::Record;
 
 /// Samples of an ensemble. Seed and index fix every one of them, so that their number sets what is seen and not how wide a bound is.
@@ -24,7 +24,7 @@ const MOST: f64 = 1e10;
 const QUANTILES: [(f64, &str); 3] = [(0.1, "10 %"), (0.5, "50 %"), (0.9, "90 %")];
 
 /// True where an engine can afford the samples of a scene.
-pub fn runs(scene: &Scene, column: &Column) -> bool {
+pub fn runs(scene: &Scene, column: &Configuration) -> bool {
     let expressible = column.engine.missing(scene).is_empty();
     expressible && SAMPLES as f64 * super::cost(scene, column) <= MOST
 }
@@ -41,8 +41,8 @@ impl Ensemble {
     }
 
     /// Where every sample ends in a column, or in the exact engine; `None` for one that has no complete run.
-    pub fn run(&self, column: Option<&Column>, runner: Runner<'_>) -> Vec<Option<Landing>> {
-        let exact = Column::of(oracle::engine());
+    pub fn run(&self, column: Option<&Configuration>, runner: Runner<'_>) -> Vec<Option<Landing>> {
+        let exact = Configuration::of(oracle::engine());
         let column = column.unwrap_or(&exact);
         let landing = |index: usize| {
             let sample = self.0.sample(SEED, index as u64);

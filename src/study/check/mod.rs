@@ -28,7 +28,7 @@ pub use written::{WRITTEN, ulp_of, unheld};
 
 use super::Extent;
 use super::ensemble::Landing;
-use super::matrix::{Column, Task, Watch, run_tasks};
+use super::matrix::{Configuration, Task, Watch, run_tasks};
 use super::stability::{PlanError, ask_oracles, tried};
 use crate::engine::Roster;
 use crate::finding::{Finding, Tolerance};
@@ -107,7 +107,7 @@ pub struct Case {
 
 /// Everything that a check found.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct CheckOutcome {
     /// The engines of which scenes may ask something; its reference is behind [`ORACLE`].
     pub roster: Roster,
     /// The scenes, in order.
@@ -144,17 +144,21 @@ enum Unit {
 /// The columns in which a scene runs: the given ones, then what its `try` asks of each engine that is given with its defaults.
 ///
 /// Errors: the scene asks for a setting that is none.
-pub fn plan(roster: &Roster, scene: &Scene, columns: &[Column]) -> Result<Vec<Column>, PlanError> {
+pub fn plan(
+    roster: &Roster,
+    scene: &Scene,
+    columns: &[Configuration],
+) -> Result<Vec<Configuration>, PlanError> {
     let mut planned = columns.to_vec();
     for text in &scene.try_settings {
         let asked = tried(roster, scene, text)?;
-        let given = |column: &&Column| {
+        let given = |column: &&Configuration| {
             column.engine.id() == asked.engine.id() && column.setting.values.is_empty()
         };
         let Some(given) = columns.iter().find(given) else {
             continue;
         };
-        let column = Column::with(&given.engine, asked.setting);
+        let column = Configuration::with(&given.engine, asked.setting);
         if planned.iter().all(|known| known.label() != column.label()) {
             planned.push(column);
         }
@@ -168,11 +172,11 @@ pub fn plan(roster: &Roster, scene: &Scene, columns: &[Column]) -> Result<Vec<Co
 pub fn study(
     roster: &Roster,
     scenes: &[Scene],
-    columns: &[Column],
+    columns: &[Configuration],
     watch: Watch<'_>,
-) -> Result<Outcome, PlanError> {
+) -> Result<CheckOutcome, PlanError> {
     let plans = scenes.iter().map(|scene| plan(roster, scene, columns));
-    let plans: Vec<Vec<Column>> = plans.collect::<Result<_, _>>()?;
+    let plans: Vec<Vec<Configuration>> = plans.collect::<Result<_, _>>()?;
     let oracles = ask_oracles(scenes, watch);
     let ensembles: Vec<Option<distribution::Ensemble>> = scenes
         .iter()
@@ -220,7 +224,7 @@ fn needs_ensemble(scene: &Scene, oracle: Option<&Oracle>) -> bool {
     scene.simultaneous == Simultaneous::Ensemble || oracle.is_some_and(|oracle| !oracle.is_single())
 }
 
-fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {
+fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Configuration>]) -> Task {
     match *unit {
         Unit::Cell(s, c) => Task {
             cost: cost(&scenes[s], &plans[s][c]),
@@ -238,12 +242,12 @@ fn task(unit: &Unit, scenes: &[Scene], plans: &[Vec<Column>]) -> Task {
 fn conclude(
     roster: &Roster,
     scenes: &[Scene],
-    plans: &[Vec<Column>],
+    plans: &[Vec<Configuration>],
     oracles: &[Option<Oracle>],
     units: &[Unit],
     answers: Vec<Option<Answer>>,
-) -> Outcome {
-    let mut outcome = Outcome {
+) -> CheckOutcome {
+    let mut outcome = CheckOutcome {
         roster: roster.clone(),
         scenes: scenes.to_vec(),
         findings: Vec::new(),
@@ -306,7 +310,7 @@ fn conclude(
     outcome
 }
 
-impl Outcome {
+impl CheckOutcome {
     fn expect(&mut self, scene: &Scene, engine: &str, levels: impl IntoIterator<Item = Level>) {
         let case = |level| Case {
             scene: scene.name.clone(),
@@ -393,7 +397,7 @@ impl Outcome {
 }
 
 /// How long a cell takes, ns, roughly; 0 where the setting is refused.
-fn cost(scene: &Scene, column: &Column) -> f64 {
+fn cost(scene: &Scene, column: &Configuration) -> f64 {
     let pace = column.engine.pace(scene, &column.setting);
     pace.map_or(0.0, |pace| pace.cost * scene.duration)
 }

@@ -1,6 +1,6 @@
 //! A check as a document.
 
-use super::{Case, HELD, Level, Outcome, State, hold};
+use super::{Case, CheckOutcome, HELD, Level, State, hold};
 use crate::compare::METRICS;
 use crate::finding::{Block, Cell, Column, Document, Table, Tolerance, Tone};
 
@@ -19,7 +19,7 @@ pub enum Against {
 type Changed<'a> = &'a dyn Fn(&str, &str, Level) -> Against;
 
 /// What a terminal shows: the sentence, and how each scene stands on each level.
-pub fn summary(outcome: &Outcome, changed: Changed<'_>) -> Document {
+pub fn summary(outcome: &CheckOutcome, changed: Changed<'_>) -> Document {
     Document {
         id: "check".to_owned(),
         stopped_early: outcome.stopped_early(),
@@ -31,14 +31,14 @@ pub fn summary(outcome: &Outcome, changed: Changed<'_>) -> Document {
 }
 
 /// The summary, every case, and the bounds.
-pub fn page(outcome: &Outcome, changed: Changed<'_>) -> Document {
+pub fn page(outcome: &CheckOutcome, changed: Changed<'_>) -> Document {
     let mut document = summary(outcome, changed);
     document.blocks.push(Block::Table(cases(outcome, changed)));
     document.blocks.push(Block::Table(bounds()));
     document
 }
 
-fn lead(outcome: &Outcome) -> String {
+fn lead(outcome: &CheckOutcome) -> String {
     let count = |state: fn(&State) -> bool| {
         let own = outcome.cases.iter().filter(|case| state(&case.state));
         own.count()
@@ -67,7 +67,7 @@ fn lead(outcome: &Outcome) -> String {
 }
 
 /// One row a scene.
-fn scenes(outcome: &Outcome, changed: Changed<'_>) -> Table {
+fn scenes(outcome: &CheckOutcome, changed: Changed<'_>) -> Table {
     let rows = outcome.names().into_iter().map(|scene| {
         let mut row = vec![Cell::text(scene)];
         row.extend(Level::ALL.map(|level| cell(outcome, scene, None, level, changed)));
@@ -83,7 +83,7 @@ fn scenes(outcome: &Outcome, changed: Changed<'_>) -> Table {
 }
 
 /// One row a scene and engine.
-fn cases(outcome: &Outcome, changed: Changed<'_>) -> Table {
+fn cases(outcome: &CheckOutcome, changed: Changed<'_>) -> Table {
     let mut rows = Vec::new();
     for scene in outcome.names() {
         let mut engines: Vec<&str> = Vec::new();
@@ -116,7 +116,7 @@ fn columns(first: &[&str]) -> Vec<Column> {
 
 /// How a level of a scene stands, in one engine or in all.
 fn cell(
-    outcome: &Outcome,
+    outcome: &CheckOutcome,
     scene: &str,
     engine: Option<&str>,
     level: Level,

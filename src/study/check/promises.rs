@@ -12,7 +12,7 @@ use crate::math::within;
 use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
-use crate::study::matrix::{Column, Runner};
+use crate::study::matrix::{Configuration, Runner};
 use crate::study::stability::{Examined, RULES, apart};
 use crate::trace::Record;
 
@@ -37,7 +37,7 @@ const MOST_RERUN: f64 = 5e7;
 /// Every promise that can be looked at: one finding each, and those that do not hold.
 pub fn hold(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     examined: &Examined,
     oracle: Option<&Oracle>,
     record: Record,
@@ -90,7 +90,7 @@ fn by_rule(invariant: Invariant, examined: &Examined) -> Option<Result<(), Strin
 fn directly(
     invariant: Invariant,
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     examined: &Examined,
     oracle: Option<&Oracle>,
     record: Record,

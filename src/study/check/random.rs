@@ -4,10 +4,10 @@
 //! and the counts are held like those of the work done: a change that makes a law lenient, or ends runs that went on, moves one.
 
 use super::item::FUZZ;
-use super::{Broken, Case, Level, Outcome, State, unit_of};
+use super::{Broken, Case, CheckOutcome, Level, State, unit_of};
 use crate::finding::Finding;
-use crate::study::matrix::Column;
-use crate::study::random::{self, Entry, Failure, Plan};
+use crate::study::matrix::Configuration;
+use crate::study::random::{self, Failure, Plan, RandomEntry};
 use sha2::{Digest, Sha256};
 
 /// What stands for the scene where the findings of random scenes are listed, accepted and asked for.
@@ -23,19 +23,19 @@ pub const RANDOM_SEED: u64 = 13;
 const MAX_EVENTS: u64 = 200;
 
 /// A column for each engine of a check that promises to hold in random scenes.
-pub fn random_plan(columns: &[Column], scenes: u64) -> Plan {
-    let mut sound: Vec<Column> = Vec::new();
+pub fn random_plan(columns: &[Configuration], scenes: u64) -> Plan {
+    let mut sound: Vec<Configuration> = Vec::new();
     for column in columns {
         let engine = &column.engine;
         let presets = engine.presets().into_iter().filter(|preset| preset.sound);
         for preset in presets {
-            let column = Column::with(engine, preset.setting);
+            let column = Configuration::with(engine, preset.setting);
             if sound.iter().all(|known| known.label() != column.label()) {
                 sound.push(column);
             }
         }
     }
-    Column::solvers_first(&mut sound);
+    Configuration::solvers_first(&mut sound);
     Plan {
         first: 0,
         scenes,
@@ -67,12 +67,12 @@ pub fn random_hash(plan: &Plan) -> String {
     digest.iter().take(8).map(|b| format!("{b:02x}")).collect()
 }
 
-impl Outcome {
+impl CheckOutcome {
     /// Adds what random scenes showed: counts that are held, and what is broken. Scenes that did not run leave their cases missing.
-    pub fn add_random(&mut self, found: &random::Outcome) {
+    pub fn add_random(&mut self, found: &random::RandomOutcome) {
         let plan = &found.plan;
         self.random = Some((plan.scenes, random_hash(plan)));
-        let labels: Vec<String> = plan.columns.iter().map(Column::label).collect();
+        let labels: Vec<String> = plan.columns.iter().map(Configuration::label).collect();
         self.extent.add(found.extent());
         let ran = !found.extent().is_cut_short();
         for (label, entry) in labels.iter().zip(&found.entries) {
@@ -126,7 +126,7 @@ fn broken(labels: &[String], failures: &[Failure]) -> Vec<Broken> {
 }
 
 /// How runs ended, and how much of them was held.
-fn counts(engine: &str, entry: &Entry) -> Vec<Finding> {
+fn counts(engine: &str, entry: &RandomEntry) -> Vec<Finding> {
     let finding = |subject: String, count: u64| Finding {
         scene: RANDOM.to_owned(),
         engine: engine.to_owned(),

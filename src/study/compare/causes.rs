@@ -1,11 +1,11 @@
 //! Why two collision orders first differ: the margin against the resolution, or the setting that moves it.
 
 use super::words::describe_span;
-use super::{Outcome, Standing};
+use super::{ComparisonOutcome, Standing};
 use crate::compare::Parting;
 use crate::engine::{Name, Setting};
 use crate::scene::Scene;
-use crate::study::matrix::{Column, Timing, Watch, run_row};
+use crate::study::matrix::{Configuration, Timing, Watch, run_row};
 use crate::trace::{EventKind, Record, Trace};
 
 /// Why two collision orders differ where they first do.
@@ -75,7 +75,7 @@ impl Cause {
 
 /// Finds the cause of every first difference of an outcome. Margins are read; what they do not explain is rerun with one
 /// knob changed, up to the difference.
-pub(super) fn find_causes(outcome: &mut Outcome, watch: Watch<'_>) {
+pub(super) fn find_causes(outcome: &mut ComparisonOutcome, watch: Watch<'_>) {
     let mut causes = Vec::new();
     if let Some(reference) = outcome.reference.and_then(|i| outcome.entries[i].trace()) {
         for entry in &outcome.entries {
@@ -111,7 +111,7 @@ pub(super) fn find_causes(outcome: &mut Outcome, watch: Watch<'_>) {
 
 fn cause(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     standing: &Standing,
     reference: &Trace,
     watch: Watch<'_>,
@@ -131,9 +131,9 @@ fn cause(
     };
     let wanted = prefix(reference);
     let ablations = column.engine.ablations(scene, &column.setting);
-    let columns: Vec<Column> = ablations
+    let columns: Vec<Configuration> = ablations
         .iter()
-        .map(|(_, setting)| Column::with(&column.engine, setting.clone()))
+        .map(|(_, setting)| Configuration::with(&column.engine, setting.clone()))
         .collect();
     let silent = Watch {
         progress: &|_, _, _| {},

@@ -1,7 +1,7 @@
 //! Pictures of a comparison: paths on the table, speeds over time, divergence over time.
 
 use super::words::describe_kind;
-use super::{Entry, Outcome};
+use super::{ComparisonEntry, ComparisonOutcome};
 use crate::engine::Limits;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
 use crate::oracle::growth;
@@ -22,7 +22,7 @@ pub(in crate::study) const TABLE_CAPTION: &str =
     "Circles: where the balls ended, or left play. Grey: where they started, and pockets.";
 
 /// Paths of all balls on the table in one engine, with the balls where they ended.
-pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
+pub(super) fn paths(outcome: &ComparisonOutcome, entry: &ComparisonEntry) -> Option<Figure> {
     let trace = entry.trace()?;
     let scene = &outcome.scene;
     let label = entry.label();
@@ -38,8 +38,8 @@ pub(super) fn paths(outcome: &Outcome, entry: &Entry) -> Option<Figure> {
 }
 
 /// Paths in one engine without words, to put beside a row of a table.
-pub(super) fn thumbnail(outcome: &Outcome) -> Option<Figure> {
-    let complete = |entry: &Entry| {
+pub(super) fn thumbnail(outcome: &ComparisonOutcome) -> Option<Figure> {
+    let complete = |entry: &ComparisonEntry| {
         entry
             .trace()
             .is_some_and(|trace| trace.ending.is_complete())
@@ -146,7 +146,7 @@ fn plan(path: &Path) -> Vec<[f64; 2]> {
 }
 
 /// Speed of the cue ball over time in every engine.
-pub(super) fn cue_speed(outcome: &Outcome) -> Figure {
+pub(super) fn cue_speed(outcome: &ComparisonOutcome) -> Figure {
     let scene = &outcome.scene;
     let cue = scene.cue_ball();
     let of_cue = |trace: &Trace| -> Vec<[f64; 2]> {
@@ -164,7 +164,7 @@ pub(super) fn cue_speed(outcome: &Outcome) -> Figure {
 }
 
 /// Root mean square speed of all balls over time in every engine.
-pub(super) fn rms_speed(outcome: &Outcome) -> Figure {
+pub(super) fn rms_speed(outcome: &ComparisonOutcome) -> Figure {
     let of_all = |trace: &Trace| -> Vec<[f64; 2]> {
         let mut times: Vec<f64> = trace
             .paths
@@ -193,7 +193,7 @@ pub(super) fn rms_speed(outcome: &Outcome) -> Figure {
 }
 
 fn speed_figure(
-    outcome: &Outcome,
+    outcome: &ComparisonOutcome,
     id: &str,
     title: &str,
     caption: &str,
@@ -220,7 +220,7 @@ fn speed_figure(
 }
 
 /// Largest distance of a ball from the reference over time, with the reference's events and each first difference marked.
-pub(super) fn divergence(outcome: &Outcome) -> Option<Figure> {
+pub(super) fn divergence(outcome: &ComparisonOutcome) -> Option<Figure> {
     let mut series = Vec::new();
     let mut marks = Vec::new();
     let (reference, caption) = match outcome.reference {
@@ -292,7 +292,7 @@ fn parting_mark(standing: &super::Standing, who: &str) -> Option<Mark> {
 }
 
 /// How a perturbation grows, and how sure each event is of its place; of small scenes only, since it takes a matrix an event.
-pub(super) fn certainty(outcome: &Outcome) -> Vec<Figure> {
+pub(super) fn certainty(outcome: &ComparisonOutcome) -> Vec<Figure> {
     let Some(horizon) = &outcome.horizon else {
         return Vec::new();
     };

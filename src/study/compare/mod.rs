@@ -23,7 +23,7 @@ pub use words::{
 };
 
 use super::Extent;
-use super::matrix::{self, Cell, Column, Ran, Timing, Watch};
+use super::matrix::{self, Cell, Configuration, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
 use crate::engine::{Limits, Refusal, Roster};
 use crate::finding::Finding;
@@ -36,11 +36,11 @@ const CADENCE: f64 = 0.01;
 
 /// Everything that a comparison of one scene found.
 #[derive(Debug)]
-pub struct Outcome {
+pub struct ComparisonOutcome {
     /// The scene.
     pub scene: Scene,
     /// One entry a column, the reference's among them.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<ComparisonEntry>,
     /// Index of the entry that all others are held against; `None` where the exact engine has no answer.
     pub reference: Option<usize>,
     /// Why there is no reference, in one sentence.
@@ -57,9 +57,9 @@ pub struct Outcome {
 
 /// One engine with one setting.
 #[derive(Debug)]
-pub struct Entry {
+pub struct ComparisonEntry {
     /// Engine and setting.
-    pub column: Column,
+    pub column: Configuration,
     /// What ran, or why nothing did.
     pub cell: Cell,
     /// How it stands against the reference; `None` for the reference itself, without one, and after a refusal.
@@ -90,7 +90,7 @@ pub struct PairOutcome {
     pub standing: Standing,
 }
 
-impl Entry {
+impl ComparisonEntry {
     /// The trace, if the engine ran.
     pub fn trace(&self) -> Option<&Trace> {
         self.cell.as_ref().ok().map(|ran| &ran.trace)
@@ -102,7 +102,7 @@ impl Entry {
     }
 }
 
-impl Outcome {
+impl ComparisonOutcome {
     /// Every two runs that are held against each other: all against the reference, or all pairs without one.
     fn held(&self) -> Vec<(usize, usize, &Standing)> {
         match self.reference {
@@ -134,7 +134,7 @@ impl Outcome {
 
     /// True where the user asked to stop before the run of the reference had come to its end.
     pub fn reference_was_stopped(&self) -> bool {
-        let own = |entry: &&Entry| is_reference(&entry.column);
+        let own = |entry: &&ComparisonEntry| is_reference(&entry.column);
         let mut own = self.entries.iter().filter(own);
         own.any(|entry| matches!(entry.cell, Err(Refusal::Stopped)))
     }
@@ -162,15 +162,15 @@ impl Outcome {
 }
 
 /// The columns of a comparison when none are named: those of every engine that say so of themselves.
-pub fn default_columns(roster: &Roster) -> Vec<Column> {
-    Column::presets(roster, |preset| preset.compared)
+pub fn default_columns(roster: &Roster) -> Vec<Configuration> {
+    Configuration::presets(roster, |preset| preset.compared)
 }
 
 /// The columns that run: the named ones, after the reference if it is not among them.
-pub fn plan(roster: &Roster, named: &[Column]) -> Vec<Column> {
+pub fn plan(roster: &Roster, named: &[Configuration]) -> Vec<Configuration> {
     let mut columns = named.to_vec();
     if !columns.iter().any(is_reference) {
-        columns.extend(roster.find(oracle::engine().id()).map(Column::of));
+        columns.extend(roster.find(oracle::engine().id()).map(Configuration::of));
     }
     // the reference stands first
     columns.sort_by_key(|column| !is_reference(column));
@@ -183,10 +183,10 @@ pub fn plan(roster: &Roster, named: &[Column]) -> Vec<Column> {
 pub fn study(
     scene: &Scene,
     richer: Option<&Scene>,
-    columns: &[Column],
+    columns: &[Configuration],
     timing: Timing,
     watch: Watch<'_>,
-) -> Outcome {
+) -> ComparisonOutcome {
     let limits = Limits {
         cancelled: watch.cancelled,
         ..Limits::NONE
@@ -198,11 +198,11 @@ pub fn study(
 pub fn study_within(
     scene: &Scene,
     richer: Option<&Scene>,
-    columns: &[Column],
+    columns: &[Configuration],
     timing: Timing,
     limits: &Limits<'_>,
     watch: Watch<'_>,
-) -> Outcome {
+) -> ComparisonOutcome {
     let record = Record::Every(CADENCE);
     let cells = matrix::run_row_within(scene, columns, record, timing, limits, watch);
     let model =
@@ -224,16 +224,21 @@ pub fn study_within(
 }
 
 /// Concludes from the cells of one scene. Reads only; causes that need further runs stay open.
-fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits<'_>) -> Outcome {
+fn conclude(
+    scene: &Scene,
+    columns: &[Configuration],
+    cells: Vec<Cell>,
+    limits: &Limits<'_>,
+) -> ComparisonOutcome {
     let entries = columns.iter().cloned().zip(cells);
     let entries = entries
-        .map(|(column, cell)| Entry {
+        .map(|(column, cell)| ComparisonEntry {
             column,
             cell,
             standing: None,
         })
         .collect();
-    let mut outcome = Outcome {
+    let mut outcome = ComparisonOutcome {
         scene: scene.clone(),
         entries,
         reference: None,
@@ -268,19 +273,19 @@ fn conclude(scene: &Scene, columns: &[Column], cells: Vec<Cell>, limits: &Limits
 }
 
 /// True for a column of the engine that the others are held against.
-fn is_reference(column: &Column) -> bool {
+fn is_reference(column: &Configuration) -> bool {
     oracle::is_reference(&*column.engine)
 }
 
 /// The reference's entry, if it reached the end that the scene asks for; else why not.
-fn reference(entries: &[Entry]) -> Result<usize, Absence<'_>> {
+fn reference(entries: &[ComparisonEntry]) -> Result<usize, Absence<'_>> {
     let index = entries.iter().position(|entry| is_reference(&entry.column));
     let index = index.ok_or(Absence::NotAsked)?;
     let ran = entries[index].cell.as_ref().map(|ran| &ran.trace);
     oracle::answer(ran).map(|_| index)
 }
 
-fn stand_alone(outcome: &mut Outcome) {
+fn stand_alone(outcome: &mut ComparisonOutcome) {
     for entry in &outcome.entries {
         if let Some(trace) = entry.trace() {
             outcome
@@ -290,7 +295,7 @@ fn stand_alone(outcome: &mut Outcome) {
     }
 }
 
-fn against_reference(outcome: &mut Outcome) {
+fn against_reference(outcome: &mut ComparisonOutcome) {
     let Some(index) = outcome.reference else {
         return;
     };
@@ -336,7 +341,7 @@ impl Standing {
 }
 
 /// Every pair of engines that ran, apart from the reference.
-fn in_pairs(outcome: &mut Outcome) {
+fn in_pairs(outcome: &mut ComparisonOutcome) {
     let ran: Vec<usize> = (0..outcome.entries.len())
         .filter(|&i| is_contender(outcome, i))
         .collect();
@@ -366,16 +371,16 @@ fn in_pairs(outcome: &mut Outcome) {
 }
 
 /// Label of a pair in findings.
-pub fn pair_label(a: &Entry, b: &Entry) -> String {
+pub fn pair_label(a: &ComparisonEntry, b: &ComparisonEntry) -> String {
     format!("{} | {}", a.label(), b.label())
 }
 
-fn is_contender(outcome: &Outcome, i: usize) -> bool {
+fn is_contender(outcome: &ComparisonOutcome, i: usize) -> bool {
     outcome.entries[i].cell.is_ok() && !is_reference(&outcome.entries[i].column)
 }
 
 /// |the same engine in two precisions|, for engines of one family that have the same setting.
-fn arithmetic(outcome: &mut Outcome) {
+fn arithmetic(outcome: &mut ComparisonOutcome) {
     for k in 0..outcome.pairs.len() {
         let (i, j) = outcome.pairs[k].entries;
         let (a, b) = (&outcome.entries[i].column, &outcome.entries[j].column);
@@ -396,7 +401,7 @@ fn arithmetic(outcome: &mut Outcome) {
 fn model_error(
     scene: &Scene,
     richer: &Scene,
-    columns: &[Column],
+    columns: &[Configuration],
     cells: &[Cell],
     watch: Watch<'_>,
 ) -> Option<f64> {

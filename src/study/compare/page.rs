@@ -6,14 +6,14 @@ use super::tables::{
     first_differences, pair_table, sanity_table, settings, sheet,
 };
 use super::words::{describe_ending, describe_horizon, describe_scene, listed};
-use super::{Outcome, PairOutcome, Standing, figures, parting, replay};
+use super::{ComparisonOutcome, PairOutcome, Standing, figures, parting, replay};
 use crate::finding::{Block, Cell, Document};
 
 /// What the parts of a comparison are, for one that was stopped.
 pub const PARTS: &str = "runs and searches of the comparison came to their end";
 
 /// What the terminal shows of one scene.
-pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
+pub fn summary(outcome: &ComparisonOutcome, unit: LengthUnit) -> Document {
     let scale = Scale::new(outcome, unit);
     let mut blocks = vec![
         Block::Text(describe_scene(&outcome.scene)),
@@ -36,7 +36,7 @@ pub fn summary(outcome: &Outcome, unit: LengthUnit) -> Document {
 }
 
 /// The page of one scene in a report.
-pub fn page(outcome: &Outcome) -> Document {
+pub fn page(outcome: &ComparisonOutcome) -> Document {
     let scale = Scale::new(outcome, LengthUnit::Radius);
     let summary = summary(outcome, LengthUnit::Radius);
     // the first screen: what differs, where it begins, and the shot itself
@@ -85,12 +85,12 @@ pub fn page(outcome: &Outcome) -> Document {
 }
 
 /// The picture of a scene for a table of scenes.
-pub fn thumbnail(outcome: &Outcome) -> Cell {
+pub fn thumbnail(outcome: &ComparisonOutcome) -> Cell {
     figures::thumbnail(outcome).map_or(Cell::Empty, |figure| Cell::Picture(Box::new(figure)))
 }
 
 /// The sentence a person came for.
-pub fn headline(outcome: &Outcome) -> String {
+pub fn headline(outcome: &ComparisonOutcome) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     for entry in &outcome.entries {
         let Some(standing) = &entry.standing else {
@@ -143,7 +143,7 @@ fn behaviour(standing: &Standing) -> String {
     }
 }
 
-fn pair_sentence(outcome: &Outcome, pair: &PairOutcome) -> String {
+fn pair_sentence(outcome: &ComparisonOutcome, pair: &PairOutcome) -> String {
     let (a, b) = (
         outcome.entries[pair.entries.0].label(),
         outcome.entries[pair.entries.1].label(),
@@ -158,7 +158,7 @@ fn pair_sentence(outcome: &Outcome, pair: &PairOutcome) -> String {
     }
 }
 
-fn reference_line(outcome: &Outcome) -> String {
+fn reference_line(outcome: &ComparisonOutcome) -> String {
     let reference = outcome.reference.map(|i| &outcome.entries[i]);
     match reference.and_then(|entry| Some((entry.label(), entry.trace()?))) {
         Some((label, trace)) => format!(
@@ -179,7 +179,7 @@ fn reference_line(outcome: &Outcome) -> String {
 }
 
 /// How far the reference can be believed, and what to do beyond.
-fn horizon_line(outcome: &Outcome) -> String {
+fn horizon_line(outcome: &ComparisonOutcome) -> String {
     let Some(horizon) = &outcome.horizon else {
         return String::new();
     };

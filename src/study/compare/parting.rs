@@ -1,6 +1,6 @@
 //! The picture of the first event where the engines part: who meets whom, in each of them.
 
-use super::Outcome;
+use super::ComparisonOutcome;
 use super::words::{describe_event, describe_kind};
 use crate::finding::{Axis, Figure, Series, Style};
 use crate::math::Vec3;
@@ -41,7 +41,7 @@ struct Version<'a> {
 }
 
 /// What the engines have at the first event where two of them part; `None` where none do.
-pub(super) fn first_parting(outcome: &Outcome) -> Option<Figure> {
+pub(super) fn first_parting(outcome: &ComparisonOutcome) -> Option<Figure> {
     let held = outcome.held();
     let partings = held
         .iter()
@@ -92,7 +92,12 @@ pub(super) fn first_parting(outcome: &Outcome) -> Option<Figure> {
 }
 
 /// The versions of the collision with this index: the yardstick's first, then in the order of the comparison.
-fn versions(outcome: &Outcome, yardstick: usize, index: usize, time: f64) -> Vec<Version<'_>> {
+fn versions(
+    outcome: &ComparisonOutcome,
+    yardstick: usize,
+    index: usize,
+    time: f64,
+) -> Vec<Version<'_>> {
     let mut order: Vec<usize> = (0..outcome.entries.len()).collect();
     order.sort_by_key(|&i| i != yardstick);
     let mut versions: Vec<Version> = Vec::new();
@@ -132,7 +137,7 @@ struct Places {
 
 impl Places {
     /// One part for all where the balls that meet are near each other, else one around those of each version.
-    fn around(outcome: &Outcome, versions: &[Version]) -> Self {
+    fn around(outcome: &ComparisonOutcome, versions: &[Version]) -> Self {
         let radius = outcome.scene.balls.iter().map(|ball| ball.radius);
         let radius = radius.fold(0.0, f64::max);
         let all: BTreeSet<usize> = versions.iter().flat_map(meeting).collect();
@@ -178,7 +183,7 @@ impl Places {
 
     fn draw(
         &self,
-        outcome: &Outcome,
+        outcome: &ComparisonOutcome,
         version: &Version,
         place: usize,
         places: usize,
@@ -271,7 +276,7 @@ impl Places {
     }
 
     /// Edges of the table within a place.
-    fn cushions(&self, outcome: &Outcome, middle: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+    fn cushions(&self, outcome: &ComparisonOutcome, middle: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
         let Some(table) = outcome.scene.table else {
             return Vec::new();
         };
@@ -336,7 +341,7 @@ fn piece(path: &Path, from: f64, to: f64, inside: impl Fn([f64; 2]) -> bool) -> 
 }
 
 /// Where the surfaces meet in an event.
-fn contact(outcome: &Outcome, trace: &Trace, event: Event) -> Option<[f64; 2]> {
+fn contact(outcome: &ComparisonOutcome, trace: &Trace, event: Event) -> Option<[f64; 2]> {
     let centre = |ball: usize| {
         trace.paths[ball]
             .before(event.time)

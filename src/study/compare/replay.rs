@@ -1,7 +1,7 @@
 //! The replay of a comparison: the knots of every run that did not refuse, and where they part.
 
 use super::words::{self, describe_event};
-use super::{Entry, Outcome, Standing};
+use super::{ComparisonEntry, ComparisonOutcome, Standing};
 use crate::finding::{Replay, ReplayBall, ReplayDivergence, ReplayEvent, ReplayParting, ReplayRun};
 use crate::scene::Scene;
 use crate::trace::thin::{self, Jumps, Tolerance};
@@ -33,7 +33,7 @@ const DECADES: f64 = 0.02;
 const NOTHING: f64 = 1e-16;
 
 /// The replay of a comparison. Errors: why there is none, in one sentence.
-pub fn replay(outcome: &Outcome) -> Result<Replay, String> {
+pub fn replay(outcome: &ComparisonOutcome) -> Result<Replay, String> {
     let scene = &outcome.scene;
     let ran: Vec<usize> = (0..outcome.entries.len())
         .filter(|&i| outcome.entries[i].trace().is_some())
@@ -238,7 +238,12 @@ fn thinned(
 }
 
 /// What the runs do not show.
-fn remark(outcome: &Outcome, ran: &[usize], shown: &[Vec<bool>], thinned: &[Thinned]) -> String {
+fn remark(
+    outcome: &ComparisonOutcome,
+    ran: &[usize],
+    shown: &[Vec<bool>],
+    thinned: &[Thinned],
+) -> String {
     let listed = |wanted: &dyn Fn(usize) -> Option<String>| {
         let named = (0..ran.len()).filter_map(|k| {
             let words = wanted(k)?;
@@ -269,7 +274,12 @@ fn remark(outcome: &Outcome, ran: &[usize], shown: &[Vec<bool>], thinned: &[Thin
     sentences.join(" ")
 }
 
-fn run(entry: &Entry, reference: bool, thinned: Thinned, shown: &[bool]) -> Option<ReplayRun> {
+fn run(
+    entry: &ComparisonEntry,
+    reference: bool,
+    thinned: Thinned,
+    shown: &[bool],
+) -> Option<ReplayRun> {
     let trace = entry.trace()?;
     let all: usize = trace.paths.iter().map(|path| path.knots.len()).sum();
     let event = |event: &crate::trace::Event| {
@@ -297,7 +307,10 @@ fn run(entry: &Entry, reference: bool, thinned: Thinned, shown: &[bool]) -> Opti
     })
 }
 
-fn partings(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayParting> {
+fn partings(
+    outcome: &ComparisonOutcome,
+    place: impl Fn(usize) -> Option<usize>,
+) -> Vec<ReplayParting> {
     let parting = |&(i, j, standing): &(usize, usize, &Standing)| {
         let parting = standing.order.parting.as_ref()?;
         let (ours, theirs) = (&outcome.entries[i], &outcome.entries[j]);
@@ -341,7 +354,10 @@ fn involved(kind: EventKind) -> impl Iterator<Item = usize> {
 }
 
 /// Distances over time: of all from the reference, or without one of all from the engine that stands in its place in the first pair.
-fn divergence(outcome: &Outcome, place: impl Fn(usize) -> Option<usize>) -> Vec<ReplayDivergence> {
+fn divergence(
+    outcome: &ComparisonOutcome,
+    place: impl Fn(usize) -> Option<usize>,
+) -> Vec<ReplayDivergence> {
     let held = outcome.held();
     let Some(&(_, yardstick, _)) = held.first() else {
         return Vec::new();

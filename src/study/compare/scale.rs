@@ -1,6 +1,6 @@
 //! The unit in which a comparison prints lengths.
 
-use super::Outcome;
+use super::ComparisonOutcome;
 use crate::finding::Cell;
 
 /// Unit in which lengths are printed.
@@ -23,7 +23,7 @@ pub struct Scale {
 
 impl Scale {
     /// The scale of a unit.
-    pub fn new(outcome: &Outcome, unit: LengthUnit) -> Self {
+    pub fn new(outcome: &ComparisonOutcome, unit: LengthUnit) -> Self {
         match unit {
             LengthUnit::Radius => Scale {
                 factor: 1.0,

@@ -2,13 +2,13 @@
 
 use super::scale::Scale;
 use super::words::{describe_ending, describe_event, describe_order, describe_span};
-use super::{Entry, Outcome, Standing, figures, pair_label};
+use super::{ComparisonEntry, ComparisonOutcome, Standing, figures, pair_label};
 use crate::compare::Order;
 use crate::engine::{Parameter, Role};
 use crate::finding::{Cell, Column, Table};
 
 /// Where and by how much each engine leaves the reference, or without one each pair parts; for the first screen of a page.
-pub fn divergence_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
+pub fn divergence_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table> {
     let (who, note) = match outcome.reference {
         Some(_) => ("engine", "Against the exact solution."),
         None => ("pair", "Out of the second engine's collisions."),
@@ -62,7 +62,7 @@ fn part(order: &Order) -> String {
 }
 
 /// The main table: one row an engine.
-pub fn comparison_table(outcome: &Outcome, scale: &Scale) -> Table {
+pub fn comparison_table(outcome: &ComparisonOutcome, scale: &Scale) -> Table {
     let columns = vec![
         Column::words("engine", "engine"),
         Column::number("stop-time", "stop time, worst (ball)", "s"),
@@ -132,7 +132,7 @@ fn owned(worst: Option<(f64, &str)>) -> Cell {
 }
 
 /// Where each engine first differs from the reference, or the engines from each other, and why.
-pub fn first_differences(outcome: &Outcome) -> Option<Table> {
+pub fn first_differences(outcome: &ComparisonOutcome) -> Option<Table> {
     let columns = vec![
         Column::words("engine", "engine"),
         Column::number("event", "at event", ""),
@@ -141,27 +141,28 @@ pub fn first_differences(outcome: &Outcome) -> Option<Table> {
         Column::words("why", "why"),
     ];
     let mut rows = Vec::new();
-    let mut add = |label: String, standing: &Standing, ours: &Entry, theirs: &Entry| {
-        let Some(parting) = &standing.order.parting else {
-            return;
+    let mut add =
+        |label: String, standing: &Standing, ours: &ComparisonEntry, theirs: &ComparisonEntry| {
+            let Some(parting) = &standing.order.parting else {
+                return;
+            };
+            let Some((ours, theirs)) = ours.trace().zip(theirs.trace()) else {
+                return;
+            };
+            rows.push(vec![
+                Cell::text(label),
+                Cell::Count(parting.index as u64 + 1),
+                Cell::text(describe_event(parting.reference.as_ref(), theirs)),
+                Cell::text(describe_event(parting.event.as_ref(), ours)),
+                Cell::text(
+                    standing
+                        .cause
+                        .as_ref()
+                        .map(super::Cause::sentence)
+                        .unwrap_or_default(),
+                ),
+            ]);
         };
-        let Some((ours, theirs)) = ours.trace().zip(theirs.trace()) else {
-            return;
-        };
-        rows.push(vec![
-            Cell::text(label),
-            Cell::Count(parting.index as u64 + 1),
-            Cell::text(describe_event(parting.reference.as_ref(), theirs)),
-            Cell::text(describe_event(parting.event.as_ref(), ours)),
-            Cell::text(
-                standing
-                    .cause
-                    .as_ref()
-                    .map(super::Cause::sentence)
-                    .unwrap_or_default(),
-            ),
-        ]);
-    };
     match outcome.reference {
         Some(index) => {
             for entry in &outcome.entries {
@@ -195,7 +196,7 @@ pub fn first_differences(outcome: &Outcome) -> Option<Table> {
 }
 
 /// What each divergence is made of.
-pub fn attribution_table(outcome: &Outcome, scale: &Scale) -> Table {
+pub fn attribution_table(outcome: &ComparisonOutcome, scale: &Scale) -> Table {
     let columns = vec![
         Column::words("engine", "engine"),
         Column::number("step", "step", &scale.unit),
@@ -244,7 +245,7 @@ pub fn attribution_table(outcome: &Outcome, scale: &Scale) -> Table {
 }
 
 /// Every pair of engines apart from the reference.
-pub fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
+pub fn pair_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table> {
     let columns = vec![
         Column::words("pair", "pair"),
         Column::number("stop-time", "stop time, worst (ball)", "s"),
@@ -283,7 +284,7 @@ pub fn pair_table(outcome: &Outcome, scale: &Scale) -> Option<Table> {
 }
 
 /// Stop time and final position of every ball in every engine.
-pub fn ball_table(outcome: &Outcome) -> Table {
+pub fn ball_table(outcome: &ComparisonOutcome) -> Table {
     let units = &outcome.scene.units;
     let columns = vec![
         Column::words("ball", "ball"),
@@ -323,7 +324,7 @@ pub fn ball_table(outcome: &Outcome) -> Table {
 }
 
 /// The reference's events, with the time of the same event in every other engine.
-pub fn event_table(outcome: &Outcome) -> Table {
+pub fn event_table(outcome: &ComparisonOutcome) -> Table {
     const MOST_ROWS: usize = 200;
     let shown = outcome
         .reference
@@ -370,7 +371,7 @@ pub fn event_table(outcome: &Outcome) -> Table {
 }
 
 /// What every run says against itself.
-pub fn sanity_table(outcome: &Outcome, scale: &Scale) -> Table {
+pub fn sanity_table(outcome: &ComparisonOutcome, scale: &Scale) -> Table {
     let metrics = [
         ("energy-gained", "energy gained", "E0"),
         ("momentum", "momentum", "m v0"),
@@ -413,7 +414,7 @@ pub fn sanity_table(outcome: &Outcome, scale: &Scale) -> Table {
 }
 
 /// The parameter-equivalence sheet: one row a role, one column an engine.
-pub fn sheet(outcome: &Outcome) -> Table {
+pub fn sheet(outcome: &ComparisonOutcome) -> Table {
     let ran: Vec<(String, &Vec<Parameter>)> = outcome
         .entries
         .iter()
@@ -462,7 +463,7 @@ pub fn sheet(outcome: &Outcome) -> Table {
 }
 
 /// Versions and every effective setting.
-pub fn settings(outcome: &Outcome) -> Table {
+pub fn settings(outcome: &ComparisonOutcome) -> Table {
     let columns = vec![
         Column::words("engine", "engine"),
         Column::words("version", "version"),

@@ -2,10 +2,10 @@
 //! the family of the same engine that does best.
 
 use super::verdict::{Kind, in_order, median};
-use super::{Errors, Level, Measured, Outcome, Point, Quantity, Runs};
+use super::{CostOutcome, Errors, Level, Measured, Point, Quantity, Runs};
 use crate::engine::{Knob, KnobRole};
 use crate::math::statistics::Distribution;
-use crate::study::Column;
+use crate::study::Configuration;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -58,7 +58,7 @@ impl Cause {
 }
 
 /// Looks for the cause of every family that needs one.
-pub fn find(outcome: &mut Outcome, runs: &mut Runs<'_>) {
+pub fn find(outcome: &mut CostOutcome, runs: &mut Runs<'_>) {
     let causes: Vec<Option<Cause>> = (0..outcome.families.len())
         .map(|k| of_family(outcome, k, runs))
         .collect();
@@ -67,7 +67,7 @@ pub fn find(outcome: &mut Outcome, runs: &mut Runs<'_>) {
     }
 }
 
-fn of_family(outcome: &Outcome, index: usize, runs: &mut Runs<'_>) -> Option<Cause> {
+fn of_family(outcome: &CostOutcome, index: usize, runs: &mut Runs<'_>) -> Option<Cause> {
     let measured = &outcome.families[index];
     let kind = measured.verdict?.kind;
     if kind == Kind::Converging {
@@ -128,7 +128,7 @@ fn first_starts(point: &Point) -> Vec<Errors> {
 
 /// The level to take parameters from: of the families of the engine that converge, or of its other precision if none does, the one
 /// with the smallest error, as fine as a search may take.
-fn model<'a>(outcome: &'a Outcome, measured: &Measured, finest: &Point) -> Option<&'a Point> {
+fn model<'a>(outcome: &'a CostOutcome, measured: &Measured, finest: &Point) -> Option<&'a Point> {
     let engine = &measured.family.given.engine;
     // an engine in two precisions has one set of parameters
     let others = outcome.families.iter().filter(|other| {
@@ -188,7 +188,7 @@ fn differing(measured: &Measured, finest: &Point, model: &Point) -> Vec<Change> 
                     Some(step) if step != finest.level.pace.step => model.level.pace,
                     _ => finest.level.pace,
                 },
-                column: Column::with(engine, setting),
+                column: Configuration::with(engine, setting),
                 phases: STARTS,
                 size: None,
             },
@@ -198,7 +198,7 @@ fn differing(measured: &Measured, finest: &Point, model: &Point) -> Vec<Change> 
 }
 
 /// The same setting in the engine's other precision, where its error is smaller by what counts.
-fn other_precision(outcome: &Outcome, measured: &Measured) -> Option<(String, f64)> {
+fn other_precision(outcome: &CostOutcome, measured: &Measured) -> Option<(String, f64)> {
     let point = measured.points.last()?;
     let error = median(point, Quantity::FinalPosition)?;
     let own = &point.level.column;

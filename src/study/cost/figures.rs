@@ -2,7 +2,7 @@
 
 use super::price::{front, noise, offers};
 use super::verdict::GAINS;
-use super::{Measured, Outcome, Point, Quantity};
+use super::{CostOutcome, Measured, Point, Quantity};
 use crate::finding::{Axis, Figure, Series, Style};
 use crate::study::logarithm::{beyond, mark, zero_among};
 
@@ -22,7 +22,7 @@ const CLEAR: f64 = 2.0;
 const SPAN: f64 = 0.65;
 
 /// A figure a quantity, with the time of a shot; one with the time of a simulated second; one of the families that vary a parameter.
-pub fn all(outcome: &Outcome) -> Vec<Figure> {
+pub fn all(outcome: &CostOutcome) -> Vec<Figure> {
     let groups = Groups::of(outcome);
     let shot = |quantity| figure(Some(outcome), &groups.main, quantity, "time per shot", 1.0);
     let mut figures: Vec<Figure> = Quantity::ALL.into_iter().filter_map(shot).collect();
@@ -50,7 +50,7 @@ pub fn all(outcome: &Outcome) -> Vec<Figure> {
 }
 
 /// The figure that says most: final positions.
-pub fn main(outcome: &Outcome) -> Option<Figure> {
+pub fn main(outcome: &CostOutcome) -> Option<Figure> {
     let main = Groups::of(outcome).main;
     figure(
         Some(outcome),
@@ -68,7 +68,7 @@ struct Groups<'a> {
 }
 
 impl<'a> Groups<'a> {
-    fn of(outcome: &'a Outcome) -> Self {
+    fn of(outcome: &'a CostOutcome) -> Self {
         let mut groups = Groups {
             main: Vec::new(),
             variants: Vec::new(),
@@ -130,7 +130,7 @@ impl Places {
 
 /// `front_of`: the study whose front is drawn.
 fn figure(
-    front_of: Option<&Outcome>,
+    front_of: Option<&CostOutcome>,
     families: &[&Measured],
     quantity: Quantity,
     time: &str,
@@ -229,7 +229,7 @@ fn remarkable(families: &[&Measured], places: &Places) -> Vec<Series> {
 }
 
 /// The edge of what can be had: for each error, the shortest time of any setting of the whole study that is as good.
-fn edge(outcome: &Outcome, places: &Places) -> Option<Series> {
+fn edge(outcome: &CostOutcome, places: &Places) -> Option<Series> {
     let offers = offers(outcome, places.quantity);
     let most = offers.iter().map(|offer| offer.error).fold(0.0, f64::max);
     let mut points: Vec<[f64; 2]> = Vec::new();

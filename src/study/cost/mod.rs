@@ -28,7 +28,7 @@ pub use verdict::{Fit, Kind, Verdict};
 
 use super::Extent;
 use super::compare::{default_columns, describe_ending};
-use super::matrix::{self, Column, Effort, Job, Timed, Watch};
+use super::matrix::{self, Configuration, Effort, Job, Timed, Watch};
 use crate::engine::{Limits, Roster};
 use crate::math::statistics::Distribution;
 use crate::oracle::{self, Absence, Precision};
@@ -39,13 +39,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Everything that a study of cost found.
 #[derive(Debug)]
-pub struct Outcome {
+pub struct CostOutcome {
     /// The scene; its duration ends where the oracle can no longer be believed.
     pub scene: Scene,
     /// How much was run.
     pub grid: Grid,
     /// The engines and what was set for them, as asked for; empty for every engine.
-    pub named: Vec<Column>,
+    pub named: Vec<Configuration>,
     /// Why there is nothing to hold errors against, in one sentence; `None` if there is.
     pub no_oracle: Option<String>,
     /// When the oracle's horizon ends the study before the scene's own end, s.
@@ -62,7 +62,7 @@ pub struct Outcome {
     pub stopped: bool,
 }
 
-impl Outcome {
+impl CostOutcome {
     /// What stands before everything else where the user asked to stop before it was done.
     pub fn stopped_early(&self) -> Option<String> {
         if !self.stopped {
@@ -154,8 +154,8 @@ struct Start {
 }
 
 /// What the oracle runs in: more digits than any engine of the study but itself.
-fn oracle_column() -> Column {
-    Column::with(oracle::engine(), oracle::finest())
+fn oracle_column() -> Configuration {
+    Configuration::with(oracle::engine(), oracle::finest())
 }
 
 /// Runs the study of one scene. `named`: engines, with settings that hold at every level; empty for every engine. One that refuses its
@@ -163,10 +163,10 @@ fn oracle_column() -> Column {
 pub fn study(
     roster: &Roster,
     scene: &Scene,
-    named: &[Column],
+    named: &[Configuration],
     grid: Grid,
     watch: Watch<'_>,
-) -> Outcome {
+) -> CostOutcome {
     let mut scene = scene.clone();
     let limits = Limits {
         cancelled: watch.cancelled,
@@ -206,7 +206,7 @@ pub fn study(
         Some(_) => None,
     };
     let families = plan::families(roster, &scene, named, grid, simulated);
-    let mut outcome = Outcome {
+    let mut outcome = CostOutcome {
         grid,
         named: named.to_vec(),
         no_oracle,
@@ -302,7 +302,7 @@ impl<'a> Runs<'a> {
     }
 
     /// Everything, in order: errors, verdicts, causes, times.
-    fn fill(mut self, outcome: &mut Outcome, families: Vec<Family>) {
+    fn fill(mut self, outcome: &mut CostOutcome, families: Vec<Family>) {
         let levels: Vec<Level> = families
             .iter()
             .flat_map(|f| f.levels.iter().cloned())
@@ -428,7 +428,7 @@ impl<'a> Runs<'a> {
 
     /// Times every level, alone: the families in turn, from the cheapest level on, so that a study that was stopped has the
     /// cheap ones of all.
-    fn time(&self, outcome: &mut Outcome) {
+    fn time(&self, outcome: &mut CostOutcome) {
         let mut order: Vec<(usize, usize)> = Vec::new();
         for (f, measured) in outcome.families.iter().enumerate() {
             order.extend((0..measured.points.len()).map(|p| (f, p)));
@@ -437,7 +437,7 @@ impl<'a> Runs<'a> {
         order.sort_by(|a, b| work(a).total_cmp(&work(b)));
         for (f, p) in order {
             let level = &outcome.families[f].points[p].level;
-            let column = Column {
+            let column = Configuration {
                 setting: level.column.engine.awake(&level.column.setting),
                 ..level.column.clone()
             };

@@ -1,11 +1,11 @@
 //! The document of a study of cost: what the terminal shows, and the whole page.
 
-use super::{Outcome, figures, tables, words};
+use super::{CostOutcome, figures, tables, words};
 use crate::finding::{Block, Document};
 use crate::study::compare::{describe_scene, describe_span};
 
 /// What the terminal shows.
-pub fn summary(outcome: &Outcome) -> Document {
+pub fn summary(outcome: &CostOutcome) -> Document {
     let mut blocks = opening(outcome);
     if outcome.levels.is_cut_short() {
         blocks.extend(what_was_run(outcome));
@@ -19,7 +19,7 @@ pub fn summary(outcome: &Outcome) -> Document {
 }
 
 /// The whole page: also the pictures and every setting.
-pub fn page(outcome: &Outcome) -> Document {
+pub fn page(outcome: &CostOutcome) -> Document {
     let mut blocks = vec![Block::Text(outcome.scene.description.clone())];
     blocks.extend(opening(outcome));
     if outcome.levels.is_cut_short() {
@@ -40,11 +40,11 @@ pub fn page(outcome: &Outcome) -> Document {
 }
 
 /// What a study says that was stopped: which setting is cheapest takes all of them, what each does takes itself alone.
-fn what_was_run(outcome: &Outcome) -> [Block; 2] {
+fn what_was_run(outcome: &CostOutcome) -> [Block; 2] {
     [tables::families(outcome), tables::settings(outcome)].map(Block::Table)
 }
 
-fn document(outcome: &Outcome, blocks: Vec<Block>) -> Document {
+fn document(outcome: &CostOutcome, blocks: Vec<Block>) -> Document {
     Document {
         id: format!("cost-{}", outcome.scene.name),
         stopped_early: outcome.stopped_early(),
@@ -55,7 +55,7 @@ fn document(outcome: &Outcome, blocks: Vec<Block>) -> Document {
     }
 }
 
-fn opening(outcome: &Outcome) -> Vec<Block> {
+fn opening(outcome: &CostOutcome) -> Vec<Block> {
     let mut blocks = vec![Block::Text(describe_scene(&outcome.scene))];
     if let Some(until) = outcome.certain_until {
         blocks.push(Block::Text(format!(
@@ -73,7 +73,7 @@ fn opening(outcome: &Outcome) -> Vec<Block> {
 }
 
 /// The command that prints the same.
-pub fn command(outcome: &Outcome) -> String {
+pub fn command(outcome: &CostOutcome) -> String {
     let mut command = format!(
         "carom cost {} --grid {}",
         outcome.scene.name,

@@ -7,7 +7,7 @@
 
 use crate::engine::{self, Name, Pace, Refusal, Roster, Setting};
 use crate::scene::Scene;
-use crate::study::Column;
+use crate::study::Configuration;
 use crate::trace::Trace;
 
 /// How much is run.
@@ -91,14 +91,14 @@ pub struct Family {
     /// Why none of it can run; `None` if it can.
     pub refusal: Option<Refusal>,
     /// The engine, with what is the same at all levels because the user said so.
-    pub given: Column,
+    pub given: Configuration,
 }
 
 /// One setting of a family.
 #[derive(Clone, Debug)]
 pub struct Level {
     /// Engine and setting.
-    pub column: Column,
+    pub column: Configuration,
     /// What is refined, getting smaller from level to level: the value of the knob, or one over it. `None` if it is no number.
     pub size: Option<f64>,
     /// How the engine goes through time.
@@ -121,7 +121,7 @@ impl Family {
     }
 
     /// What stands for an engine that refuses what was set for it, whatever the ladder.
-    fn refused(column: &Column, refusal: Refusal) -> Family {
+    fn refused(column: &Configuration, refusal: Refusal) -> Family {
         Family {
             name: "any".into(),
             knob: None,
@@ -153,11 +153,11 @@ impl Level {
 pub fn families(
     roster: &Roster,
     scene: &Scene,
-    named: &[Column],
+    named: &[Configuration],
     grid: Grid,
     until: f64,
 ) -> Vec<Family> {
-    let all: Vec<Column> = roster.iter().map(Column::of).collect();
+    let all: Vec<Configuration> = roster.iter().map(Configuration::of).collect();
     let columns = if named.is_empty() { &all } else { named };
     let budget = grid.budget();
     let mut families: Vec<Family> = Vec::new();
@@ -207,7 +207,7 @@ fn over(ladder: Setting, given: &Setting) -> Setting {
 
 fn family(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     name: Name,
     settings: Vec<Setting>,
     budget: &Budget,
@@ -243,7 +243,7 @@ fn family(
             1
         };
         family.levels.push(Level {
-            column: Column::with(&column.engine, setting),
+            column: Configuration::with(&column.engine, setting),
             size: values.as_ref().map(|values| values[k]),
             pace,
             phases,

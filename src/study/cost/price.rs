@@ -1,6 +1,6 @@
 //! The price list: the cheapest setting for each error, and the settings that none beats in both error and time.
 
-use super::{Outcome, Point, Quantity};
+use super::{CostOutcome, Point, Quantity};
 use crate::math::statistics::Distribution;
 
 /// Errors that prices are given for, in the unit of the quantity.
@@ -37,7 +37,7 @@ impl Offer<'_> {
 }
 
 /// Every setting that has an error and a time, in the order of the families.
-pub fn offers(outcome: &Outcome, quantity: Quantity) -> Vec<Offer<'_>> {
+pub fn offers(outcome: &CostOutcome, quantity: Quantity) -> Vec<Offer<'_>> {
     let points = outcome
         .families
         .iter()
@@ -83,7 +83,7 @@ pub fn front<'a>(offers: &[Offer<'a>], noise: f64) -> Vec<Offer<'a>> {
 }
 
 /// What times of this study are good to, relative: nine in ten cells have less noise.
-pub fn noise(outcome: &Outcome) -> f64 {
+pub fn noise(outcome: &CostOutcome) -> f64 {
     let points = outcome
         .families
         .iter()

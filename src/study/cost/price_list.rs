@@ -1,7 +1,7 @@
 //! The price list of one scene as a file, for a report made later.
 
 use super::price::{THRESHOLDS, cheapest, offers};
-use super::{Outcome, Quantity, page, words};
+use super::{CostOutcome, Quantity, page, words};
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ pub struct Price {
 
 impl PriceList {
     /// The price list of a study. `scene`: as it was given, before the study shortened it to what can be believed.
-    pub fn of(outcome: &Outcome, scene: &Scene) -> Self {
+    pub fn of(outcome: &CostOutcome, scene: &Scene) -> Self {
         let mut prices = Vec::new();
         for quantity in Quantity::ALL {
             let offers = offers(outcome, quantity);

@@ -2,7 +2,7 @@
 
 use super::price::{self, HIGH_FROM, Offer, THRESHOLDS};
 use super::verdict::{GAINS, Kind};
-use super::{Measured, Outcome, Point, Quantity, words};
+use super::{CostOutcome, Measured, Point, Quantity, words};
 use crate::finding::{Cell, Column, Table, Tone};
 use crate::study::compare::describe_span;
 
@@ -13,7 +13,7 @@ const MICRO: f64 = 1e-6;
 const CHEAPEST: &str = "cheapest";
 
 /// The price list: for each quantity and error the cheapest setting, and the cheapest of another engine.
-pub fn cheapest(outcome: &Outcome) -> Table {
+pub fn cheapest(outcome: &CostOutcome) -> Table {
     let columns = vec![
         Column::words("quantity", "quantity"),
         Column::words("unit", "unit"),
@@ -50,7 +50,7 @@ pub fn cheapest(outcome: &Outcome) -> Table {
 }
 
 /// The price list for a terminal: errors with the same answer share a row, and each engine has its own price.
-pub fn cheapest_in_short(outcome: &Outcome) -> Table {
+pub fn cheapest_in_short(outcome: &CostOutcome) -> Table {
     let engines = words::engines(outcome);
     let mut columns = vec![
         Column::words("quantity", "quantity"),
@@ -133,7 +133,7 @@ fn offer_cells(offers: &[Offer<'_>], error: f64) -> [Cell; 5] {
 }
 
 /// Families ranked at equal error of the final position, low and high accuracy apart.
-pub fn rankings(outcome: &Outcome) -> Vec<Table> {
+pub fn rankings(outcome: &CostOutcome) -> Vec<Table> {
     let (low, high) = THRESHOLDS.split_at(HIGH_FROM);
     [
         ranking(
@@ -149,7 +149,7 @@ pub fn rankings(outcome: &Outcome) -> Vec<Table> {
     .collect()
 }
 
-fn ranking(outcome: &Outcome, id: &str, title: &str, errors: &[f64]) -> Option<Table> {
+fn ranking(outcome: &CostOutcome, id: &str, title: &str, errors: &[f64]) -> Option<Table> {
     let mut columns = vec![Column::words("family", "family")];
     columns.extend(errors.iter().map(|error| {
         let key = format!("within-{error:e}");
@@ -211,7 +211,7 @@ fn family_offers(measured: &Measured, quantity: Quantity) -> Vec<Offer<'_>> {
 }
 
 /// How the errors of each family fall, and what holds them where they do not.
-pub fn families(outcome: &Outcome) -> Table {
+pub fn families(outcome: &CostOutcome) -> Table {
     let columns = vec![
         Column::words("family", "family"),
         Column::words("verdict", "verdict"),
@@ -259,7 +259,7 @@ fn tone(kind: Kind) -> Tone {
 }
 
 /// The settings that no other beats in both error and time: of all engines, and of each.
-pub fn fronts(outcome: &Outcome) -> Option<Table> {
+pub fn fronts(outcome: &CostOutcome) -> Option<Table> {
     let noise = price::noise(outcome);
     let offers = price::offers(outcome, Quantity::FinalPosition);
     let mut rows = Vec::new();
@@ -296,7 +296,7 @@ pub fn fronts(outcome: &Outcome) -> Option<Table> {
 }
 
 /// Every setting: errors, time, work.
-pub fn settings(outcome: &Outcome) -> Table {
+pub fn settings(outcome: &CostOutcome) -> Table {
     let mut columns = vec![
         Column::words("family", "family"),
         Column::words("setting", "setting"),
@@ -376,7 +376,7 @@ fn setting_row(measured: &Measured, point: &Point) -> Vec<Cell> {
 }
 
 /// What was tried to find the setting responsible.
-pub fn causes(outcome: &Outcome) -> Option<Table> {
+pub fn causes(outcome: &CostOutcome) -> Option<Table> {
     let mut rows = Vec::new();
     for measured in &outcome.families {
         let Some((cause, verdict)) = measured.cause.as_ref().zip(measured.verdict) else {

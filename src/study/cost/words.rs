@@ -2,7 +2,7 @@
 
 use super::price::{self, Offer};
 use super::verdict::{Fit, Kind, in_order};
-use super::{Measured, Outcome, Point, Quantity};
+use super::{CostOutcome, Measured, Point, Quantity};
 use crate::engine::Setting;
 use crate::study::compare::describe_span;
 use crate::trace::Trace;
@@ -11,7 +11,7 @@ use crate::trace::Trace;
 const NAMED: [f64; 2] = [1e-2, 1e-6];
 
 /// The answer in a sentence or two: what an error of the final position costs, by engine.
-pub fn sentence(outcome: &Outcome) -> String {
+pub fn sentence(outcome: &CostOutcome) -> String {
     if let Some(why) = &outcome.no_oracle {
         return format!(
             "There is nothing to hold errors against: {}. What is left are times and gains of energy.",
@@ -66,7 +66,7 @@ pub fn sentence(outcome: &Outcome) -> String {
 }
 
 /// The engines of the study, each once.
-pub fn engines(outcome: &Outcome) -> Vec<&str> {
+pub fn engines(outcome: &CostOutcome) -> Vec<&str> {
     let mut engines = Vec::new();
     for measured in &outcome.families {
         let id = measured.family.given.engine.id();
@@ -126,7 +126,7 @@ pub fn order(fit: &Fit) -> String {
 }
 
 /// Why a family has its verdict, in one sentence; empty where nothing needs to be said.
-pub fn why(outcome: &Outcome, measured: &Measured) -> String {
+pub fn why(outcome: &CostOutcome, measured: &Measured) -> String {
     let family = &measured.family;
     let mut parts = Vec::new();
     if let Some(refusal) = &family.refusal {
@@ -163,7 +163,7 @@ pub fn why(outcome: &Outcome, measured: &Measured) -> String {
     parts.join("; ")
 }
 
-fn blame(outcome: &Outcome, measured: &Measured, kind: Kind) -> String {
+fn blame(outcome: &CostOutcome, measured: &Measured, kind: Kind) -> String {
     let unit = if kind == Kind::GainingEnergy {
         "E0"
     } else {
@@ -210,7 +210,7 @@ fn blame(outcome: &Outcome, measured: &Measured, kind: Kind) -> String {
 }
 
 /// Says so where two hits of one ball lie closer together than the finest step.
-fn too_coarse(outcome: &Outcome, measured: &Measured) -> Option<String> {
+fn too_coarse(outcome: &CostOutcome, measured: &Measured) -> Option<String> {
     let closest = outcome.closest_hits?;
     let step = measured.points.last()?.level.pace.step;
     (step > closest).then(|| {

@@ -9,7 +9,7 @@ mod squirt;
 mod throw;
 
 use super::Extent;
-use super::matrix::{self, Column, Timing, Watch};
+use super::matrix::{self, Configuration, Timing, Watch};
 use crate::finding::{
     Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
 };
@@ -49,7 +49,7 @@ struct Departure {
 }
 
 /// Runs every point of every curve in the engines. Errors: a scene of the catalogue that is no scene.
-pub fn study(columns: &[Column], watch: Watch<'_>) -> Result<Document, SceneError> {
+pub fn study(columns: &[Configuration], watch: Watch<'_>) -> Result<Document, SceneError> {
     let mut found = Vec::new();
     let parts: [(&str, Part); 3] = [
         ("throw", throw::curve),
@@ -78,7 +78,7 @@ pub fn study(columns: &[Column], watch: Watch<'_>) -> Result<Document, SceneErro
 
 /// Where points are run.
 struct Lab<'a> {
-    columns: &'a [Column],
+    columns: &'a [Configuration],
     watch: Watch<'a>,
 }
 
@@ -172,7 +172,7 @@ fn velocity_after(trace: &Trace, ball: usize) -> Option<crate::math::Vec3> {
     Some(far.state.velocity)
 }
 
-fn page(found: &[(&str, Curve)], shots: Option<Table>, columns: &[Column]) -> Document {
+fn page(found: &[(&str, Curve)], shots: Option<Table>, columns: &[Configuration]) -> Document {
     let mut blocks: Vec<Block> = Vec::new();
     for (_, curve) in found {
         blocks.extend(curve.figures.iter().cloned().map(Block::Figure));

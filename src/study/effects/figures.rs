@@ -1,6 +1,6 @@
 //! Pictures of an ablation: what leaving each effect out costs, the ladder, and the paths with all effects and with none.
 
-use super::{Change, Outcome, Verdict, WHOLE};
+use super::{Change, EffectsOutcome, Verdict, WHOLE};
 use crate::finding::{Axis, Figure, Series, Style};
 use crate::study::compare::{TABLE_CAPTION, table_picture};
 use crate::study::logarithm::{beyond, mark, zero_among};
@@ -12,7 +12,7 @@ type Read<'a> = &'a dyn Fn(&Change) -> Option<f64>;
 const NOTHING: (f64, f64) = (1e-3, 1e3);
 
 /// How far leaving each effect out moves a ball, in every engine against its own whole run.
-pub fn without(outcome: &Outcome) -> Option<Figure> {
+pub fn without(outcome: &EffectsOutcome) -> Option<Figure> {
     let reference = outcome.reference?;
     let variants = outcome.by_cost();
     if variants.is_empty() {
@@ -68,7 +68,7 @@ pub fn without(outcome: &Outcome) -> Option<Figure> {
 }
 
 /// How far each rung of the ladder is from the last one, in every engine.
-pub fn ladder(outcome: &Outcome) -> Option<Figure> {
+pub fn ladder(outcome: &EffectsOutcome) -> Option<Figure> {
     outcome.reference?;
     let (plan, top) = (&outcome.plan, outcome.plan.top());
     if plan.ladder.len() < 2 {
@@ -195,7 +195,7 @@ impl Picture {
 }
 
 /// Paths with every effect and in the bare model, in the reference's engine.
-pub fn paths(outcome: &Outcome) -> Vec<Figure> {
+pub fn paths(outcome: &EffectsOutcome) -> Vec<Figure> {
     let Some(column) = outcome.reference else {
         return Vec::new();
     };

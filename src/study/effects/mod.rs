@@ -19,17 +19,17 @@ pub use plan::{Plan, Rung, Variant, WHOLE};
 
 use super::Extent;
 use super::compare::describe_ending;
-use super::matrix::{self, Cell, Column, Timing, Watch};
+use super::matrix::{self, Cell, Configuration, Timing, Watch};
 use crate::scene::{Scene, SceneError};
 use crate::trace::{Record, Trace};
 
 /// Everything that an ablation found.
 #[derive(Debug)]
-pub struct Outcome {
+pub struct EffectsOutcome {
     /// What was run.
     pub plan: Plan,
     /// The engines, the exact ones first.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Configuration>,
     /// A ball that moves farther than this when an effect is left out makes that effect needed, R.
     pub threshold: f64,
     /// One entry a row of the plan, one cell a column; fewer rows if the user asked to stop.
@@ -54,10 +54,10 @@ pub enum Verdict {
 /// Runs the ablation of a scene. Errors: a scene that `richer` names cannot be read.
 pub fn study(
     scene: &Scene,
-    columns: &[Column],
+    columns: &[Configuration],
     threshold: f64,
     watch: Watch<'_>,
-) -> Result<Outcome, SceneError> {
+) -> Result<EffectsOutcome, SceneError> {
     let plan = Plan::new(scene)?;
     let silent = Watch {
         progress: &|_, _, _| {},
@@ -77,8 +77,13 @@ pub fn study(
 }
 
 /// Concludes from the cells.
-fn conclude(plan: Plan, columns: &[Column], threshold: f64, cells: Vec<Vec<Cell>>) -> Outcome {
-    let mut outcome = Outcome {
+fn conclude(
+    plan: Plan,
+    columns: &[Configuration],
+    threshold: f64,
+    cells: Vec<Vec<Cell>>,
+) -> EffectsOutcome {
+    let mut outcome = EffectsOutcome {
         plan,
         columns: columns.to_vec(),
         threshold,
@@ -96,7 +101,7 @@ fn conclude(plan: Plan, columns: &[Column], threshold: f64, cells: Vec<Vec<Cell>
     outcome
 }
 
-impl Outcome {
+impl EffectsOutcome {
     /// What stands before everything else where the user asked to stop before it was done.
     pub fn stopped_early(&self) -> Option<String> {
         Extent::of(self.cells.len() as u64, self.plan.rows.len() as u64)

@@ -1,11 +1,11 @@
 //! The document of an ablation: what the terminal shows, and the whole page.
 
-use super::{Outcome, figures, tables, words};
+use super::{EffectsOutcome, figures, tables, words};
 use crate::finding::{Block, Document};
 use crate::study::compare::describe_scene;
 
 /// What the terminal shows.
-pub fn summary(outcome: &Outcome) -> Document {
+pub fn summary(outcome: &EffectsOutcome) -> Document {
     let plan = &outcome.plan;
     let mut blocks = vec![Block::Text(describe_scene(&plan.scene))];
     blocks.extend(words::time(outcome).map(Block::Text));
@@ -29,7 +29,7 @@ pub fn summary(outcome: &Outcome) -> Document {
 }
 
 /// The whole page: also the scene in words and the pictures.
-pub fn page(outcome: &Outcome) -> Document {
+pub fn page(outcome: &EffectsOutcome) -> Document {
     let mut document = summary(outcome);
     let blocks = &mut document.blocks;
     blocks.insert(0, Block::Text(outcome.plan.scene.description.clone()));
@@ -39,7 +39,7 @@ pub fn page(outcome: &Outcome) -> Document {
 }
 
 /// The command that prints the same.
-fn command(outcome: &Outcome) -> String {
+fn command(outcome: &EffectsOutcome) -> String {
     let engines: Vec<String> = outcome
         .columns
         .iter()

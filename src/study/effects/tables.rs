@@ -1,7 +1,7 @@
 //! The tables of an ablation.
 
 use super::change::{energy_at, fallen};
-use super::{Change, Outcome, Owned, Verdict, WHOLE, words};
+use super::{Change, EffectsOutcome, Owned, Verdict, WHOLE, words};
 use crate::engine::Refusal;
 use crate::finding::{Cell, Column, Table, Tone};
 
@@ -9,7 +9,7 @@ use crate::finding::{Cell, Column, Table, Tone};
 const MICRO: f64 = 1e-6;
 
 /// Leaving one out: what it costs, the dearest first.
-pub fn without(outcome: &Outcome) -> Option<Table> {
+pub fn without(outcome: &EffectsOutcome) -> Option<Table> {
     let column = outcome.reference?;
     if outcome.plan.without.is_empty() {
         return None;
@@ -64,7 +64,7 @@ pub fn without(outcome: &Outcome) -> Option<Table> {
 }
 
 /// The bare model, each effect on it, and all of them.
-pub fn alone(outcome: &Outcome) -> Option<Table> {
+pub fn alone(outcome: &EffectsOutcome) -> Option<Table> {
     let column = outcome.reference?;
     if outcome.plan.alone.is_empty() {
         return None;
@@ -103,7 +103,7 @@ pub fn alone(outcome: &Outcome) -> Option<Table> {
 }
 
 /// From the poorest to the richest, each against the richest.
-pub fn ladder(outcome: &Outcome) -> Option<Table> {
+pub fn ladder(outcome: &EffectsOutcome) -> Option<Table> {
     let column = outcome.reference?;
     if outcome.plan.ladder.len() < 2 {
         return None;
@@ -142,7 +142,7 @@ pub fn ladder(outcome: &Outcome) -> Option<Table> {
 }
 
 /// Every other engine: what it ran, and how far it is from the reference's engine with the same effects.
-pub fn engines(outcome: &Outcome) -> Option<Table> {
+pub fn engines(outcome: &EffectsOutcome) -> Option<Table> {
     let reference = outcome.reference?;
     let length = &outcome.columns[reference].label();
     let columns = vec![
@@ -221,7 +221,7 @@ fn reasons(refusal: &Refusal) -> Vec<String> {
 }
 
 /// What a row runs, in words.
-fn row_in_words(outcome: &Outcome, row: usize) -> String {
+fn row_in_words(outcome: &EffectsOutcome, row: usize) -> String {
     let plan = &outcome.plan;
     if row == WHOLE {
         return "all".to_owned();
@@ -243,7 +243,7 @@ fn row_in_words(outcome: &Outcome, row: usize) -> String {
 }
 
 /// The columns of what is measured of a run.
-fn measured(outcome: &Outcome) -> Vec<Column> {
+fn measured(outcome: &EffectsOutcome) -> Vec<Column> {
     let time = &outcome.plan.scene.units.time;
     vec![
         Column::number("position", "position (ball)", "R"),
@@ -261,7 +261,7 @@ fn measured(outcome: &Outcome) -> Vec<Column> {
 }
 
 /// What is measured of a run, against row `from`; words in place of the order where it has no end.
-fn measures(outcome: &Outcome, row: usize, column: usize, from: usize) -> Vec<Cell> {
+fn measures(outcome: &EffectsOutcome, row: usize, column: usize, from: usize) -> Vec<Cell> {
     let trace = outcome.trace(row, column);
     let complete = outcome.complete(row, column);
     let change = outcome.change(row, column, from);
@@ -288,7 +288,7 @@ fn measures(outcome: &Outcome, row: usize, column: usize, from: usize) -> Vec<Ce
     ]
 }
 
-fn time(outcome: &Outcome, row: usize, column: usize) -> Cell {
+fn time(outcome: &EffectsOutcome, row: usize, column: usize) -> Cell {
     Cell::maybe(outcome.seconds(row, column).map(|s| s / MICRO))
 }
 
@@ -310,7 +310,7 @@ fn words_or_empty(words: String) -> Cell {
     }
 }
 
-fn how(outcome: &Outcome) -> String {
+fn how(outcome: &EffectsOutcome) -> String {
     format!(
         "Changes are against the whole scene; a ball that fell counts where it left play. order: collisions that agree from the \
          start. energy: of the balls in play at {:.3} {}, half of the shortest run.",
@@ -318,7 +318,7 @@ fn how(outcome: &Outcome) -> String {
     )
 }
 
-fn bare_in_words(outcome: &Outcome) -> String {
+fn bare_in_words(outcome: &EffectsOutcome) -> String {
     let bare = &outcome.plan.rows[outcome.plan.bare];
     format!("Bare model: {}.", bare.effects.named().join(", "))
 }

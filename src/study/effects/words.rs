@@ -1,10 +1,10 @@
 //! The sentence a person came for, and lists in words.
 
-use super::{Optional, Outcome, Variant, Verdict, WHOLE};
+use super::{EffectsOutcome, Optional, Variant, Verdict, WHOLE};
 use crate::study::compare::describe_span;
 
 /// Which effects the shot needs and what leaving each out would cost.
-pub fn sentence(outcome: &Outcome) -> String {
+pub fn sentence(outcome: &EffectsOutcome) -> String {
     let name = &outcome.plan.scene.name;
     if outcome.cells.is_empty() {
         return format!("{name} was not run, so what its effects are worth is unknown.");
@@ -70,7 +70,7 @@ pub fn sentence(outcome: &Outcome) -> String {
 }
 
 /// What leaving an effect out does to the shot: `moves ball 3 by 12.0 R`.
-fn cost(outcome: &Outcome, variant: &Variant) -> String {
+fn cost(outcome: &EffectsOutcome, variant: &Variant) -> String {
     let Some(change) = outcome.cost(variant) else {
         return String::new();
     };
@@ -88,7 +88,7 @@ fn cost(outcome: &Outcome, variant: &Variant) -> String {
 }
 
 /// What the richest scene of the chain does that this one does not.
-fn ladder(outcome: &Outcome, column: usize) -> Option<String> {
+fn ladder(outcome: &EffectsOutcome, column: usize) -> Option<String> {
     let top = outcome.plan.top();
     if !outcome.plan.is_chain || top == WHOLE {
         return None;
@@ -107,7 +107,7 @@ fn ladder(outcome: &Outcome, column: usize) -> Option<String> {
 }
 
 /// What all effects together cost in time.
-pub fn time(outcome: &Outcome) -> Option<String> {
+pub fn time(outcome: &EffectsOutcome) -> Option<String> {
     if outcome.plan.effects.is_empty() {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Two engines held against each other sample by sample: the same scene to the bit in both.
 
-use super::{Entry, Landing};
+use super::{EnsembleEntry, Landing};
 
 /// How an engine agrees with the reference over all samples that both ran to the end.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Farthest {
 }
 
 /// Holds `entry` against `reference`. `radius`: the scene's smallest, the unit of distances.
-pub fn agreement(reference: &Entry, entry: &Entry, radius: f64) -> Agreement {
+pub fn agreement(reference: &EnsembleEntry, entry: &EnsembleEntry, radius: f64) -> Agreement {
     let mut found = Agreement::default();
     let pairs = reference.cells.iter().zip(&entry.cells).enumerate();
     for (sample, pair) in pairs {

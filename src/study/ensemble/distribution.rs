@@ -1,6 +1,6 @@
 //! Distributions of where and when each ball stopped, and whether an engine's differ from the reference's.
 
-use super::{Entry, Landing};
+use super::{EnsembleEntry, Landing};
 use crate::math::statistics::{Distribution, holm, kolmogorov_smirnov, transport};
 use crate::scene::Scene;
 
@@ -22,7 +22,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Every quantity, in the order of [`Entry::distributions`].
+    /// Every quantity, in the order of [`EnsembleEntry::distributions`].
     pub const ALL: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::StopTime];
 
     /// Kebab-case name.
@@ -100,7 +100,7 @@ pub struct Test {
 }
 
 /// The distributions of every ball over the complete runs of an entry.
-pub(super) fn of(entry: &Entry, balls: usize) -> Vec<[Option<Distribution>; 3]> {
+pub(super) fn of(entry: &EnsembleEntry, balls: usize) -> Vec<[Option<Distribution>; 3]> {
     let of_ball = |ball: usize| {
         Quantity::ALL.map(|quantity| {
             let runs = entry.complete();
@@ -111,7 +111,11 @@ pub(super) fn of(entry: &Entry, balls: usize) -> Vec<[Option<Distribution>; 3]> 
 }
 
 /// Every quantity of every ball of the other entries against the reference.
-pub(super) fn tests(entries: &[Entry], reference: Option<usize>, scene: &Scene) -> Vec<Test> {
+pub(super) fn tests(
+    entries: &[EnsembleEntry],
+    reference: Option<usize>,
+    scene: &Scene,
+) -> Vec<Test> {
     let mut tests = Vec::new();
     let Some(reference) = reference else {
         return tests;

@@ -1,6 +1,6 @@
 //! Pictures of an ensemble: where the balls stopped, and the distribution that tells most.
 
-use super::{Entry, Outcome, Quantity};
+use super::{EnsembleEntry, EnsembleOutcome, Quantity};
 use crate::finding::{Axis, Figure, Series, Style};
 
 /// Most points of a picture of final positions.
@@ -9,7 +9,7 @@ const MOST_POINTS: usize = 3000;
 const MOST_STEPS: usize = 400;
 
 /// Final positions of all balls, one picture an engine.
-pub(super) fn landings(outcome: &Outcome) -> Vec<Figure> {
+pub(super) fn landings(outcome: &EnsembleOutcome) -> Vec<Figure> {
     let scene = &outcome.plan.scene;
     let unit = &scene.units.length;
     let cue = scene.cue_ball();
@@ -61,7 +61,7 @@ pub(super) fn landings(outcome: &Outcome) -> Vec<Figure> {
 }
 
 /// The distribution functions, in all engines, of what differs most from the reference, or else is spread most.
-pub(super) fn telling(outcome: &Outcome) -> Option<Figure> {
+pub(super) fn telling(outcome: &EnsembleOutcome) -> Option<Figure> {
     let scene = &outcome.plan.scene;
     let farthest = outcome
         .tests
@@ -109,7 +109,7 @@ pub(super) fn telling(outcome: &Outcome) -> Option<Figure> {
 }
 
 /// The coordinate with the largest deviation: ball, index of the quantity, deviation in length.
-pub(super) fn widest(entry: &Entry) -> Option<(usize, usize, f64)> {
+pub(super) fn widest(entry: &EnsembleEntry) -> Option<(usize, usize, f64)> {
     let mut widest: Option<(usize, usize, f64)> = None;
     for (ball, quantities) in entry.distributions.iter().enumerate() {
         // of positions: times are of another unit

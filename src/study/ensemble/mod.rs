@@ -20,7 +20,7 @@ pub use page::{page, summary};
 pub use spread::{surround, surroundings};
 
 use super::Extent;
-use super::matrix::{self, Column, Watch};
+use super::matrix::{self, Configuration, Watch};
 use crate::engine::Refusal;
 use crate::math::statistics::Distribution;
 use crate::oracle;
@@ -47,7 +47,7 @@ pub struct Plan {
     /// Seed of all draws.
     pub seed: u64,
     /// Engines; the first with a complete run is what the others are held against.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Configuration>,
 }
 
 /// Why there is no such ensemble.
@@ -81,7 +81,7 @@ type Cell = Option<Result<Landing, Refusal>>;
 
 /// Everything that an ensemble found.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct EnsembleOutcome {
     /// What was asked for.
     pub plan: Plan,
     /// The law as applied, one sentence for each thing that varies.
@@ -89,7 +89,7 @@ pub struct Outcome {
     /// Number of samples that were run in every engine.
     pub done: usize,
     /// One entry an engine, in the order of the plan.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<EnsembleEntry>,
     /// Index of the entry that all others are held against: the first with a complete run; `None` if there is none.
     pub reference: Option<usize>,
     /// The other engines' distributions against the reference's.
@@ -100,7 +100,7 @@ pub struct Outcome {
     pub spelled: Extent,
 }
 
-impl Outcome {
+impl EnsembleOutcome {
     /// What stands before everything else where the user asked to stop before it was done.
     pub fn stopped_early(&self) -> Option<String> {
         let samples = Extent::of(self.done as u64, self.plan.samples as u64);
@@ -115,9 +115,9 @@ impl Outcome {
 
 /// One engine in an ensemble.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct EnsembleEntry {
     /// Engine and setting.
-    pub column: Column,
+    pub column: Configuration,
     /// What it made of each sample, by index.
     pub cells: Vec<Cell>,
     /// For each ball in scene order and each [`Quantity`]: its distribution over the complete runs.
@@ -128,7 +128,7 @@ pub struct Entry {
     pub agreement: Option<Agreement>,
 }
 
-impl Entry {
+impl EnsembleEntry {
     /// Engine and setting as one label.
     pub fn label(&self) -> String {
         self.column.label()
@@ -145,14 +145,14 @@ impl Entry {
 }
 
 /// The engines in which an ensemble runs: those of the reference first, otherwise as named.
-pub fn plan_columns(named: &[Column]) -> Vec<Column> {
+pub fn plan_columns(named: &[Configuration]) -> Vec<Configuration> {
     let mut columns = named.to_vec();
     columns.sort_by_key(|column| !oracle::is_reference(&*column.engine));
     columns
 }
 
 /// Runs an ensemble. Answers the same to the bit for any number of threads.
-pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
+pub fn study(plan: Plan, watch: Watch<'_>) -> Result<EnsembleOutcome, EnsembleError> {
     if plan.columns.is_empty() {
         return Err(EnsembleError::NoEngine);
     }
@@ -185,7 +185,7 @@ pub fn study(plan: Plan, watch: Watch<'_>) -> Result<Outcome, EnsembleError> {
 }
 
 /// Concludes from the cells, which are those of the first sample in every engine, then those of the second, and so on.
-fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
+fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> EnsembleOutcome {
     let width = plan.columns.len();
     let mut by_engine: Vec<Vec<Cell>> = vec![Vec::with_capacity(plan.samples); width];
     let mut done = 0;
@@ -200,8 +200,8 @@ fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
         }
     }
     let columns = plan.columns.iter().cloned().zip(by_engine);
-    let mut entries: Vec<Entry> = columns
-        .map(|(column, cells)| Entry {
+    let mut entries: Vec<EnsembleEntry> = columns
+        .map(|(column, cells)| EnsembleEntry {
             column,
             cells,
             distributions: Vec::new(),
@@ -225,7 +225,7 @@ fn conclude(plan: Plan, law: Vec<String>, cells: Vec<Cell>) -> Outcome {
             entry.agreement = agreement;
         }
     }
-    Outcome {
+    EnsembleOutcome {
         tests: distribution::tests(&entries, reference, &plan.scene),
         frequent: orders::most_frequent(&entries, reference),
         spelled: Extent::default(),

@@ -1,6 +1,6 @@
 //! Which collision orders occur, how often in which engine, and where they part.
 
-use super::{Entry, Order, Outcome};
+use super::{EnsembleEntry, EnsembleOutcome, Order};
 use crate::engine::Refusal;
 use crate::scene::Scene;
 use crate::study::compare::describe_kind;
@@ -27,13 +27,13 @@ pub struct Frequent {
 }
 
 /// Number of distinct collision orders among the complete runs.
-pub(super) fn distinct(entry: &Entry) -> usize {
+pub(super) fn distinct(entry: &EnsembleEntry) -> usize {
     let orders: BTreeSet<Order> = entry.complete().map(|(_, l)| l.collisions).collect();
     orders.len()
 }
 
 /// The orders that occur most often: in the reference, then in all; of equals the one that occurs first.
-pub(super) fn most_frequent(entries: &[Entry], reference: Option<usize>) -> Vec<Frequent> {
+pub(super) fn most_frequent(entries: &[EnsembleEntry], reference: Option<usize>) -> Vec<Frequent> {
     let mut known: BTreeMap<Order, Frequent> = BTreeMap::new();
     for (engine, entry) in entries.iter().enumerate() {
         for (sample, landing) in entry.complete() {
@@ -60,7 +60,11 @@ pub(super) fn most_frequent(entries: &[Entry], reference: Option<usize>) -> Vec<
 
 /// Runs the sample that shows each of the most frequent orders again, and puts the orders into words: the first in full, the
 /// others from where they leave it.
-pub(super) fn spell_out(outcome: &mut Outcome, sample: impl Fn(usize) -> Scene, watch: Watch<'_>) {
+pub(super) fn spell_out(
+    outcome: &mut EnsembleOutcome,
+    sample: impl Fn(usize) -> Scene,
+    watch: Watch<'_>,
+) {
     let silent = Watch {
         progress: &|_, _, _| {},
         ..watch

@@ -1,14 +1,14 @@
 //! The document of an ensemble: what the terminal shows, and the whole page.
 
 use super::distribution::{LEVEL, NEGLIGIBLE};
-use super::{Entry, Farthest, Outcome, Quantity, Test, figures};
+use super::{EnsembleEntry, EnsembleOutcome, Farthest, Quantity, Test, figures};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::math::statistics::Distribution;
 use crate::study::compare::describe_scene;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What the terminal shows.
-pub fn summary(outcome: &Outcome) -> Document {
+pub fn summary(outcome: &EnsembleOutcome) -> Document {
     let plan = &outcome.plan;
     let mut blocks = vec![Block::Text(describe_scene(&plan.scene))];
     let mut law = outcome.law.clone();
@@ -34,7 +34,7 @@ pub fn summary(outcome: &Outcome) -> Document {
 }
 
 /// The whole page: also quantiles, tests and pictures.
-pub fn page(outcome: &Outcome) -> Document {
+pub fn page(outcome: &EnsembleOutcome) -> Document {
     let mut document = summary(outcome);
     let blocks = &mut document.blocks;
     blocks.insert(0, Block::Text(outcome.plan.scene.description.clone()));
@@ -51,7 +51,7 @@ pub fn page(outcome: &Outcome) -> Document {
 }
 
 /// The command that prints the same.
-fn command(outcome: &Outcome) -> String {
+fn command(outcome: &EnsembleOutcome) -> String {
     let plan = &outcome.plan;
     let engines: Vec<String> = plan
         .columns
@@ -79,7 +79,7 @@ fn plural(n: usize) -> &'static str {
 }
 
 /// The sentence a person came for.
-fn headline(outcome: &Outcome) -> String {
+fn headline(outcome: &EnsembleOutcome) -> String {
     let mut sentences = Vec::new();
     let reference = outcome.reference.map(|index| &outcome.entries[index]);
     for (index, entry) in outcome.entries.iter().enumerate() {
@@ -101,7 +101,7 @@ fn headline(outcome: &Outcome) -> String {
 }
 
 /// What one engine by itself says: how wide its answers are spread.
-fn alone(outcome: &Outcome, entry: &Entry) -> String {
+fn alone(outcome: &EnsembleOutcome, entry: &EnsembleEntry) -> String {
     let complete = entry.complete().count();
     let scene = &outcome.plan.scene;
     let widest = figures::widest(entry);
@@ -124,7 +124,12 @@ fn alone(outcome: &Outcome, entry: &Entry) -> String {
 }
 
 /// What an engine says against the reference.
-fn against(outcome: &Outcome, reference: &Entry, index: usize, entry: &Entry) -> String {
+fn against(
+    outcome: &EnsembleOutcome,
+    reference: &EnsembleEntry,
+    index: usize,
+    entry: &EnsembleEntry,
+) -> String {
     let scene = &outcome.plan.scene;
     let label = entry.label();
     let Some(agreement) = entry.agreement.as_ref().filter(|a| a.both > 0) else {
@@ -172,7 +177,7 @@ pub(super) fn short(x: f64) -> String {
 }
 
 /// What became of the samples in each engine.
-fn engine_table(outcome: &Outcome) -> Table {
+fn engine_table(outcome: &EnsembleOutcome) -> Table {
     let columns = vec![
         Column::words("engine", "engine"),
         Column::number("samples", "samples", ""),
@@ -213,7 +218,7 @@ fn engine_table(outcome: &Outcome) -> Table {
 }
 
 /// Each engine against the reference, sample by sample.
-fn agreement_table(outcome: &Outcome) -> Option<Table> {
+fn agreement_table(outcome: &EnsembleOutcome) -> Option<Table> {
     let reference = &outcome.entries[outcome.reference?];
     let others = || {
         outcome
@@ -262,7 +267,7 @@ fn agreement_table(outcome: &Outcome) -> Option<Table> {
 }
 
 /// Mean and deviation of every ball in every engine.
-fn ball_table(outcome: &Outcome) -> Table {
+fn ball_table(outcome: &EnsembleOutcome) -> Table {
     let scene = &outcome.plan.scene;
     let mut columns = vec![
         Column::words("ball", "ball"),
@@ -326,7 +331,7 @@ fn fixed(
 }
 
 /// The quantities in which a ball is distributed differently from the reference.
-fn differences(outcome: &Outcome, entry: usize, ball: usize) -> Cell {
+fn differences(outcome: &EnsembleOutcome, entry: usize, ball: usize) -> Cell {
     let own: Vec<&Test> = outcome
         .tests
         .iter()
@@ -342,7 +347,7 @@ fn differences(outcome: &Outcome, entry: usize, ball: usize) -> Cell {
 }
 
 /// The most frequent collision orders.
-fn order_table(outcome: &Outcome) -> Table {
+fn order_table(outcome: &EnsembleOutcome) -> Table {
     let mut columns = vec![
         Column::number("rank", "#", ""),
         Column::number("collisions", "collisions", ""),
@@ -374,7 +379,7 @@ fn order_table(outcome: &Outcome) -> Table {
 }
 
 /// Quantiles of one quantity, and its test against the reference.
-fn quantity_table(outcome: &Outcome, which: usize, quantity: Quantity) -> Table {
+fn quantity_table(outcome: &EnsembleOutcome, which: usize, quantity: Quantity) -> Table {
     const SHARES: [(&str, f64); 5] = [
         ("5", 0.05),
         ("25", 0.25),

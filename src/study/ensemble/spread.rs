@@ -2,7 +2,7 @@
 //! the single answer of each engine lies in it.
 
 use super::page::short;
-use super::{Outcome, Plan, study};
+use super::{EnsembleOutcome, Plan, study};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::math::statistics::Distribution;
 use crate::oracle;
@@ -21,7 +21,10 @@ const SEED: u64 = 1;
 const ALIKE: f64 = 0.02;
 
 /// What a comparison says of a scene that asks for an ensemble, and whether that was done; nothing for any other scene.
-pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block>, Extent) {
+pub fn surroundings(
+    compared: &compare::ComparisonOutcome,
+    watch: Watch<'_>,
+) -> (Vec<Block>, Extent) {
     let scene = &compared.scene;
     if scene.simultaneous != Simultaneous::Ensemble {
         return (Vec::new(), Extent::default());
@@ -31,7 +34,7 @@ pub fn surroundings(compared: &compare::Outcome, watch: Watch<'_>) -> (Vec<Block
         law: Law::default_for(scene),
         samples: SAMPLES,
         seed: SEED,
-        columns: vec![matrix::Column::of(oracle::engine())],
+        columns: vec![matrix::Configuration::of(oracle::engine())],
     };
     let Some(found) = watch.whole(|| study(plan, watch)) else {
         return (Vec::new(), Extent::of(0, 1));
@@ -56,7 +59,7 @@ pub fn surround(page: &mut Document, blocks: Vec<Block>) {
     page.blocks.splice(at..at, blocks);
 }
 
-fn blocks(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<Block> {
+fn blocks(compared: &compare::ComparisonOutcome, ensemble: &EnsembleOutcome) -> Vec<Block> {
     let Some(exact) = ensemble.entries.first() else {
         return Vec::new();
     };
@@ -89,7 +92,7 @@ fn blocks(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<Block> {
 
 /// Where a single answer lies among the samples, for one ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Place {
+struct AnswerPlace {
     /// Distance from the nearest sample, length.
     nearest: f64,
     /// Part of all answers, this one among them, that are at least as far from their nearest neighbour: if it is one more
@@ -97,7 +100,7 @@ struct Place {
     part: f64,
 }
 
-impl Place {
+impl AnswerPlace {
     /// Where `answer` lies among `samples`; `None` without any.
     fn of(answer: [f64; 2], samples: &[[f64; 2]]) -> Option<Self> {
         let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
@@ -109,7 +112,7 @@ impl Place {
             from_others.fold(apart(sample, &answer), f64::min) >= nearest
         };
         let as_far = samples.iter().enumerate().filter(is_as_far).count();
-        Some(Place {
+        Some(AnswerPlace {
             nearest,
             part: (as_far + 1) as f64 / (samples.len() + 1) as f64,
         })
@@ -121,7 +124,10 @@ impl Place {
 }
 
 /// For each engine but the exact one that ran to the end: its label, and the place of each ball.
-fn answers(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<(String, Vec<Option<Place>>)> {
+fn answers(
+    compared: &compare::ComparisonOutcome,
+    ensemble: &EnsembleOutcome,
+) -> Vec<(String, Vec<Option<AnswerPlace>>)> {
     let mut answers = Vec::new();
     for entry in &compared.entries {
         let complete = entry.trace().filter(|trace| trace.ending.is_complete());
@@ -133,7 +139,7 @@ fn answers(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<(String, Vec<
             let samples: Vec<[f64; 2]> =
                 exact.filter_map(|(_, landing)| landing.at[ball]).collect();
             let position = state?.position;
-            Place::of([position.x, position.y], &samples)
+            AnswerPlace::of([position.x, position.y], &samples)
         };
         let states = trace.final_states().into_iter().enumerate();
         answers.push((entry.label(), states.map(place).collect()));
@@ -141,7 +147,7 @@ fn answers(compared: &compare::Outcome, ensemble: &Outcome) -> Vec<(String, Vec<
     answers
 }
 
-fn table(compared: &compare::Outcome, ensemble: &Outcome) -> Table {
+fn table(compared: &compare::ComparisonOutcome, ensemble: &EnsembleOutcome) -> Table {
     let scene = &compared.scene;
     let radius = scene.smallest_radius();
     let mut columns = vec![
@@ -185,7 +191,7 @@ fn table(compared: &compare::Outcome, ensemble: &Outcome) -> Table {
     }
 }
 
-fn verdict(place: Place, radius: f64) -> Cell {
+fn verdict(place: AnswerPlace, radius: f64) -> Cell {
     let tone = if place.is_alike() {
         Tone::Good
     } else {
@@ -201,7 +207,7 @@ fn verdict(place: Place, radius: f64) -> Cell {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::{ALIKE, Place};
+    use super::{ALIKE, AnswerPlace};
     use crate::math::random::Draws;
 
     /// Two heaps, as the mirror images of a triple hit.
@@ -216,20 +222,20 @@ mod tests {
     #[test]
     fn what_lies_between_two_heaps_is_not_like_them() {
         let samples = heaps(200);
-        let between = Place::of([0.0, 0.0], &samples).unwrap();
+        let between = AnswerPlace::of([0.0, 0.0], &samples).unwrap();
         assert!(
             !between.is_alike() && (between.nearest - 2.9).abs() < 0.1,
             "{between:?}"
         );
-        let on_a_sample = Place::of(samples[7], &samples).unwrap();
+        let on_a_sample = AnswerPlace::of(samples[7], &samples).unwrap();
         assert_eq!(
             on_a_sample,
-            Place {
+            AnswerPlace {
                 nearest: 0.0,
                 part: 1.0
             }
         );
-        assert_eq!(Place::of([0.0, 0.0], &[]), None);
+        assert_eq!(AnswerPlace::of([0.0, 0.0], &[]), None);
     }
 
     #[test]
@@ -245,7 +251,7 @@ mod tests {
                 })
                 .collect();
             let answer = cloud.pop().unwrap();
-            strangers += u32::from(!Place::of(answer, &cloud).unwrap().is_alike());
+            strangers += u32::from(!AnswerPlace::of(answer, &cloud).unwrap().is_alike());
         }
         // at most ALIKE of the trials: its expectation and five deviations
         let expected = ALIKE * trials as f64;

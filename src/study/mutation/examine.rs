@@ -5,7 +5,7 @@ use crate::engine::{self, Refusal, Roster};
 use crate::law::Fault;
 use crate::scene::generate::{Recipe, generate};
 use crate::scene::{Diagnostics, Scene, SceneError, parse_bytes, rewritten};
-use crate::study::Column;
+use crate::study::Configuration;
 use crate::trace::files::{self, Files};
 
 /// Whether an input was accepted, or what is wrong with how it was read.
@@ -128,15 +128,15 @@ pub fn trace_files(texts: &Files) -> Examined {
 
 /// A list of engines with settings, as after `--engines`.
 pub fn engine_list(roster: &Roster, list: &str, scene: &Scene) -> Examined {
-    let columns = match Column::list(roster, list) {
+    let columns = match Configuration::list(roster, list) {
         Ok(columns) => columns,
         Err(words) if words.trim().is_empty() => return Err(fault("no-words", list)),
         Err(_) => return Ok(false),
     };
-    let labels: Vec<String> = columns.iter().map(Column::label).collect();
+    let labels: Vec<String> = columns.iter().map(Configuration::label).collect();
     let again = labels.join(",").replace(' ', ":");
-    match Column::list(roster, &again) {
-        Ok(read) if read.iter().map(Column::label).eq(labels) => {}
+    match Configuration::list(roster, &again) {
+        Ok(read) if read.iter().map(Configuration::label).eq(labels) => {}
         // a value may hold what separates settings in a label
         _ if list.contains(char::is_whitespace) => {}
         _ => return Err(fault("reads-back-otherwise", again)),

@@ -11,7 +11,7 @@ pub use examine::{Examined, engine_list, recipe, scene_file, trace_files};
 pub use mutate::{mutate, replace_number};
 pub use page::summary;
 
-use super::matrix::{self, Column, Watch};
+use super::matrix::{self, Configuration, Watch};
 use super::random::caught;
 use crate::engine::{Knob, KnobRole, Limits, Roster, Setting};
 use crate::law::Fault;
@@ -97,25 +97,28 @@ pub struct Examples {
 
 /// Lists of engines: every preset, the finest setting of each ladder, and each engine with the last word of all its choices.
 fn lists(roster: &Roster) -> Vec<String> {
-    let presets = Column::presets(roster, |_| true);
+    let presets = Configuration::presets(roster, |_| true);
     let mut lists = vec![specs(&presets)];
     for engine in roster {
         let ladders = engine.ladders().into_iter();
         let finest = ladders.filter_map(|(_, settings)| settings.into_iter().next_back());
-        lists.extend(finest.map(|setting| Column::with(engine, setting).spec()));
+        lists.extend(finest.map(|setting| Configuration::with(engine, setting).spec()));
         let last = |setting: Setting, knob: Knob| match knob.choices.last() {
             Some(word) => setting.with(&knob.key, word),
             None => setting,
         };
         let chosen = engine.knobs().into_iter().fold(Setting::default(), last);
-        let with_all = [Column::with(engine, chosen), Column::of(engine)];
+        let with_all = [
+            Configuration::with(engine, chosen),
+            Configuration::of(engine),
+        ];
         lists.push(specs(&with_all[..]));
     }
     lists
 }
 
-fn specs(columns: &[Column]) -> String {
-    let specs: Vec<String> = columns.iter().map(Column::spec).collect();
+fn specs(columns: &[Configuration]) -> String {
+    let specs: Vec<String> = columns.iter().map(Configuration::spec).collect();
     specs.join(",")
 }
 
@@ -136,11 +139,11 @@ fn names(roster: &Roster) -> Vec<String> {
 }
 
 /// The engines whose traces are examples: the reference, and the first that steps, with a step that leaves few knots.
-fn traced(roster: &Roster) -> Vec<Column> {
-    let reference = roster.reference().map(Column::of);
+fn traced(roster: &Roster) -> Vec<Configuration> {
+    let reference = roster.reference().map(Configuration::of);
     let stepping = roster.iter().find_map(|engine| {
         let setting = engine.with_step(&Setting::default(), STEP)?;
-        Some(Column::with(engine, setting))
+        Some(Configuration::with(engine, setting))
     });
     reference.into_iter().chain(stepping).collect()
 }
@@ -303,7 +306,7 @@ pub struct Failure {
 
 /// Everything that was found.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct MutationOutcome {
     /// What was asked for.
     pub plan: Plan,
     /// Inputs that were accepted and refused, for each of [`Reader::ALL`].
@@ -314,9 +317,9 @@ pub struct Outcome {
     pub faults: u64,
 }
 
-impl Outcome {
+impl MutationOutcome {
     fn empty(plan: Plan) -> Self {
-        Outcome {
+        MutationOutcome {
             plan,
             counts: [[0; 2]; 4],
             failures: Vec::new(),
@@ -345,7 +348,7 @@ impl Outcome {
         }
     }
 
-    fn add(&mut self, later: Outcome) {
+    fn add(&mut self, later: MutationOutcome) {
         for (count, more) in self
             .counts
             .iter_mut()
@@ -361,9 +364,9 @@ impl Outcome {
 }
 
 /// Reads the inputs of a plan. Answers the same for any number of threads.
-pub fn study(plan: Plan, examples: &Examples, watch: Watch<'_>) -> Outcome {
+pub fn study(plan: Plan, examples: &Examples, watch: Watch<'_>) -> MutationOutcome {
     let block = |range: Range<u64>| {
-        let mut found = Outcome::empty(plan);
+        let mut found = MutationOutcome::empty(plan);
         for index in range {
             if watch.is_cancelled() {
                 break;
@@ -374,7 +377,7 @@ pub fn study(plan: Plan, examples: &Examples, watch: Watch<'_>) -> Outcome {
         }
         found
     };
-    let mut outcome = Outcome::empty(plan);
+    let mut outcome = MutationOutcome::empty(plan);
     let what = "mutated inputs";
     matrix::fold_blocks(plan.indices(), what, watch, block, |found| {
         outcome.add(found);

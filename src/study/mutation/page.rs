@@ -1,6 +1,6 @@
 //! The document of mutated inputs.
 
-use super::{Outcome, Reader};
+use super::{MutationOutcome, Reader};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::study::Extent;
 
@@ -8,7 +8,7 @@ use crate::study::Extent;
 const SHOWN: usize = 40;
 
 /// What the terminal shows.
-pub fn summary(outcome: &Outcome) -> Document {
+pub fn summary(outcome: &MutationOutcome) -> Document {
     let plan = &outcome.plan;
     let done = outcome.done();
     // no index is beyond the largest number
@@ -39,7 +39,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     }
 }
 
-fn counts(outcome: &Outcome) -> Table {
+fn counts(outcome: &MutationOutcome) -> Table {
     let row = |(reader, [accepted, refused]): (Reader, &[u64; 2])| {
         vec![
             Cell::text(reader.words()),
@@ -64,7 +64,7 @@ fn counts(outcome: &Outcome) -> Table {
     }
 }
 
-fn faults(outcome: &Outcome) -> Table {
+fn faults(outcome: &MutationOutcome) -> Table {
     let hidden = outcome.faults.saturating_sub(SHOWN as u64);
     let rows = outcome.failures.iter().take(SHOWN).map(|failure| {
         vec![

@@ -12,7 +12,7 @@ pub use page::summary;
 pub use verdict::{Verdict, check};
 
 use super::Extent;
-use super::matrix::{self, Column, Watch};
+use super::matrix::{self, Configuration, Watch};
 use crate::engine::{Limits, Refusal};
 use crate::law::Fault;
 use crate::law::closed_forms::{self, Laws};
@@ -42,7 +42,7 @@ pub struct Plan {
     /// Seed of all of them.
     pub seed: u64,
     /// Engines, each with its own setting over that of the scene's `try`.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Configuration>,
     /// Events after which an event-driven run ends.
     pub max_events: u64,
 }
@@ -73,7 +73,7 @@ impl Worst {
 
 /// What was seen of one engine.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Entry {
+pub struct RandomEntry {
     /// Runs by the id of their ending; `refused` where nothing ran.
     pub endings: BTreeMap<&'static str, u64>,
     /// Events of all runs.
@@ -158,7 +158,7 @@ pub struct Failure {
 
 /// Everything that was found.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct RandomOutcome {
     /// What was asked for.
     pub plan: Plan,
     /// Scenes that were run in every engine.
@@ -166,7 +166,7 @@ pub struct Outcome {
     /// Scenes that were seen to their end: those, and the ones that are at fault themselves.
     pub seen: u64,
     /// One entry an engine, in the order of the plan.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<RandomEntry>,
     /// Faults in the order of scenes, the first thousand.
     pub failures: Vec<Failure>,
     /// Number of all faults.
@@ -174,9 +174,9 @@ pub struct Outcome {
 }
 
 /// Runs the scenes of a plan. Answers the same for any number of threads.
-pub fn study(plan: Plan, watch: Watch<'_>) -> Outcome {
+pub fn study(plan: Plan, watch: Watch<'_>) -> RandomOutcome {
     let block = |range: Range<u64>| {
-        let mut found = Outcome::empty(&plan);
+        let mut found = RandomOutcome::empty(&plan);
         for index in range {
             if watch.is_cancelled() {
                 break;
@@ -185,7 +185,7 @@ pub fn study(plan: Plan, watch: Watch<'_>) -> Outcome {
         }
         found
     };
-    let mut outcome = Outcome::empty(&plan);
+    let mut outcome = RandomOutcome::empty(&plan);
     let what = "random scenes";
     matrix::fold_blocks(plan.indices(), what, watch, block, |found| {
         outcome.add(found);
@@ -210,7 +210,7 @@ pub fn scene(seed: u64, index: u64) -> Result<Scene, Fault> {
 /// Runs a scene in one column and checks the trace: how it ended, its number of events, and the verdict. `sweeps`: see [`check`].
 pub fn judge(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     limits: &Limits<'_>,
     sweeps: bool,
 ) -> Result<(Ending, u64, Verdict), Refusal> {
@@ -225,7 +225,7 @@ pub fn judge(
     Ok((trace.ending, trace.events.len() as u64, verdict))
 }
 
-impl Outcome {
+impl RandomOutcome {
     /// What stands before everything else where the user asked to stop before it was done.
     pub fn stopped_early(&self) -> Option<String> {
         self.extent()
@@ -239,11 +239,11 @@ impl Outcome {
     }
 
     fn empty(plan: &Plan) -> Self {
-        Outcome {
+        RandomOutcome {
             plan: plan.clone(),
             done: 0,
             seen: 0,
-            entries: vec![Entry::default(); plan.columns.len()],
+            entries: vec![RandomEntry::default(); plan.columns.len()],
             failures: Vec::new(),
             faults: 0,
         }
@@ -307,7 +307,7 @@ impl Outcome {
     }
 
     /// Adds what was found of later scenes.
-    fn add(&mut self, later: Outcome) {
+    fn add(&mut self, later: RandomOutcome) {
         self.done += later.done;
         self.seen += later.seen;
         self.faults += later.faults;
@@ -319,7 +319,7 @@ impl Outcome {
     }
 }
 
-impl Entry {
+impl RandomEntry {
     fn see(&mut self, scene: u64, ending: &'static str, events: u64, verdict: &Verdict) {
         *self.endings.entry(ending).or_default() += 1;
         self.events += events;
@@ -337,7 +337,7 @@ impl Entry {
         }
     }
 
-    fn add(&mut self, more: Entry) {
+    fn add(&mut self, more: RandomEntry) {
         for (ending, count) in more.endings {
             *self.endings.entry(ending).or_default() += count;
         }

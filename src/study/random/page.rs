@@ -1,6 +1,6 @@
 //! The document of random scenes.
 
-use super::{Entry, Outcome, SWEPT, Worst};
+use super::{RandomEntry, RandomOutcome, SWEPT, Worst};
 use crate::finding::{Block, Cell, Column, Document, Table, Tone};
 use crate::law::energy::ABOVE_START;
 
@@ -8,7 +8,7 @@ use crate::law::energy::ABOVE_START;
 const SHOWN: usize = 40;
 
 /// What the terminal shows.
-pub fn summary(outcome: &Outcome) -> Document {
+pub fn summary(outcome: &RandomOutcome) -> Document {
     let plan = &outcome.plan;
     let mut blocks = vec![
         Block::Table(engines(outcome)),
@@ -43,7 +43,7 @@ pub fn summary(outcome: &Outcome) -> Document {
     }
 }
 
-fn headline(outcome: &Outcome) -> String {
+fn headline(outcome: &RandomOutcome) -> String {
     let labels: Vec<String> = outcome.plan.columns.iter().map(|c| c.label()).collect();
     let who = labels.join(" and ");
     match outcome.faults {
@@ -63,8 +63,8 @@ fn worst(worst: Worst) -> Cell {
     }
 }
 
-fn engines(outcome: &Outcome) -> Table {
-    let row = |(label, entry): (String, &Entry)| {
+fn engines(outcome: &RandomOutcome) -> Table {
+    let row = |(label, entry): (String, &RandomEntry)| {
         vec![
             Cell::text(label),
             Cell::Count(entry.endings.values().sum()),
@@ -99,7 +99,7 @@ fn engines(outcome: &Outcome) -> Table {
     }
 }
 
-fn endings(outcome: &Outcome) -> Table {
+fn endings(outcome: &RandomOutcome) -> Table {
     let mut ids: Vec<&'static str> = Vec::new();
     for id in outcome
         .entries
@@ -113,7 +113,7 @@ fn endings(outcome: &Outcome) -> Table {
     ids.sort_unstable();
     let mut columns = vec![Column::words("engine", "engine")];
     columns.extend(ids.iter().map(|id| Column::number(id, id, "")));
-    let row = |(label, entry): (String, &Entry)| {
+    let row = |(label, entry): (String, &RandomEntry)| {
         let count = |id: &&'static str| Cell::Count(entry.endings.get(*id).copied().unwrap_or(0));
         let mut row = vec![Cell::text(label)];
         row.extend(ids.iter().map(count));
@@ -130,14 +130,14 @@ fn endings(outcome: &Outcome) -> Table {
 }
 
 /// What was held against the laws, and what could not be, by the reason.
-fn laws(outcome: &Outcome) -> Table {
+fn laws(outcome: &RandomOutcome) -> Table {
     let mut why: Vec<&'static str> = Vec::new();
     for entry in &outcome.entries {
         why.extend(entry.laws.left_out.keys());
     }
     why.sort_unstable();
     why.dedup();
-    let row = |(label, entry): (String, &Entry)| {
+    let row = |(label, entry): (String, &RandomEntry)| {
         let held = &entry.laws;
         vec![
             Cell::text(label),
@@ -180,7 +180,7 @@ fn laws(outcome: &Outcome) -> Table {
     }
 }
 
-fn faults(outcome: &Outcome) -> Table {
+fn faults(outcome: &RandomOutcome) -> Table {
     let shown = outcome.failures.iter().take(SHOWN);
     let hidden = outcome.faults.saturating_sub(SHOWN as u64);
     Table {

@@ -1,6 +1,6 @@
 //! A run against the exact one: the order of collisions, distances, stop times; and whether the step explains what differs.
 
-use super::evidence::{Evidence, Judgement, Place, short};
+use super::evidence::{Evidence, FoundAt, Judgement, short};
 use crate::compare::{Comparison, largest_distance_at_end};
 use crate::finding::Verdict;
 use crate::math::{within, worse};
@@ -333,7 +333,7 @@ pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
     };
     let place = found.event.map(|event| {
         let (a, b) = event.kind.balls();
-        Place {
+        FoundAt {
             time: event.time,
             balls: [Some(a), b].into_iter().flatten().collect(),
         }
@@ -392,7 +392,7 @@ pub fn distance(e: &Evidence<'_>) -> Option<Judgement> {
 }
 
 /// The ball and the time of the largest distance before `until`.
-fn owner(comparison: &Comparison<'_>, until: f64, largest: f64) -> Option<Place> {
+fn owner(comparison: &Comparison<'_>, until: f64, largest: f64) -> Option<FoundAt> {
     let points = &comparison.divergence.points;
     let (time, _) = points.iter().find(|(t, d)| *t < until && *d == largest)?;
     let pairs = comparison
@@ -410,7 +410,7 @@ fn owner(comparison: &Comparison<'_>, until: f64, largest: f64) -> Option<Place>
     };
     let distances: Vec<f64> = pairs.map(apart).collect();
     let ball = (0..distances.len()).max_by(|&a, &b| distances[a].total_cmp(&distances[b]))?;
-    Some(Place {
+    Some(FoundAt {
         time: *time,
         balls: vec![ball],
     })
@@ -452,7 +452,7 @@ pub fn stop_time(e: &Evidence<'_>) -> Option<Judgement> {
         describe_span(value),
         describe_span(bound)
     );
-    let place = Place {
+    let place = FoundAt {
         time: e.trace.stop_times[ball].unwrap_or(e.trace.end_time),
         balls: vec![ball],
     };

@@ -1,6 +1,6 @@
 //! One cell: its runs, its evidence, its verdict.
 
-use super::evidence::{Evidence, Judgement, Place};
+use super::evidence::{Evidence, FoundAt, Judgement};
 use super::plan::{MOST_STATES, Planned};
 use super::rules::{RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
@@ -11,7 +11,7 @@ use crate::oracle::{Allowance, Oracle};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
 use crate::study::compare::{TABLE_CAPTION, table_picture};
-use crate::study::matrix::{Column, Ran, Runner};
+use crate::study::matrix::{Configuration, Ran, Runner};
 use crate::trace::{Counter, Ending, Record, Trace};
 
 /// The finding that is the verdict of a run.
@@ -155,7 +155,7 @@ pub fn run(
 /// Runs a scene in a column, and those of its images that are `wanted`, and judges them. Errors: why nothing ran.
 pub fn examine(
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     oracle: Option<&Oracle>,
     record: Record,
     wanted: &dyn Fn(Invariant) -> bool,
@@ -240,7 +240,7 @@ pub fn judge(evidence: &Evidence<'_>) -> Judged {
 }
 
 /// What an error of a run may come from. The scalar is the engine's by its own word: a run that says another is allowed no more.
-fn allowance(column: &Column, ran: &Ran) -> Allowance {
+fn allowance(column: &Configuration, ran: &Ran) -> Allowance {
     Allowance {
         dt: ran.trace.provenance.resolution,
         steps: ran.trace.count(Counter::Steps).unwrap_or(0),
@@ -268,7 +268,7 @@ fn comparison<'a>(
 pub fn apart(
     law: &Law,
     scene: &Scene,
-    column: &Column,
+    column: &Configuration,
     trace: &Trace,
     record: Record,
     runner: Runner<'_>,
@@ -301,7 +301,7 @@ fn draw(scene: &Scene, label: &str, trace: &Trace, judged: &Judged) -> Figure {
     figure
 }
 
-fn points(trace: &Trace, place: &Place) -> Vec<[f64; 2]> {
+fn points(trace: &Trace, place: &FoundAt) -> Vec<[f64; 2]> {
     let at = |&ball: &usize| {
         let state = trace.paths.get(ball)?.state_at(place.time)?;
         let point = [state.position.x, state.position.y];

@@ -34,7 +34,7 @@ pub struct Evidence<'a> {
 
 /// When and where something was found.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct FoundAt {
     /// s.
     pub time: f64,
     /// Balls concerned, by index in the scene.
@@ -49,7 +49,7 @@ pub struct Judgement {
     /// The figure, in the unit of the rule.
     pub value: Option<f64>,
     /// Where it was found.
-    pub place: Option<Place>,
+    pub place: Option<FoundAt>,
     /// The verdict in words, with its figure; empty for one that holds.
     pub why: String,
 }
@@ -69,7 +69,7 @@ impl Judgement {
     pub fn of(
         verdict: Verdict,
         value: impl Into<Option<f64>>,
-        place: Option<Place>,
+        place: Option<FoundAt>,
         why: String,
     ) -> Self {
         Judgement {

@@ -2,7 +2,7 @@
 
 use super::plan::{STEPS, is_swept};
 use super::words::{heading, is_preset};
-use super::{Case, Outcome, tables};
+use super::{Case, StabilityOutcome, tables};
 use crate::finding::{Axis, Figure, Series, Sign, Style, Verdict};
 
 /// Verdicts as they are drawn: the more ink, the more one asks for attention.
@@ -15,7 +15,7 @@ const DRAWN: [(Verdict, &str, Sign); 5] = [
 ];
 
 /// Scenes x engines and presets; `None` without scenes.
-pub fn matrix(outcome: &Outcome) -> Option<Figure> {
+pub fn matrix(outcome: &StabilityOutcome) -> Option<Figure> {
     let presets = &outcome.question.presets;
     let of_preset = |preset: usize| {
         let label = presets[preset].label();
@@ -37,7 +37,7 @@ pub fn matrix(outcome: &Outcome) -> Option<Figure> {
 }
 
 /// Scenes x steps of the engines whose steps are swept; `None` if there are none.
-pub fn steps(outcome: &Outcome) -> Option<Figure> {
+pub fn steps(outcome: &StabilityOutcome) -> Option<Figure> {
     let presets = &outcome.question.presets;
     let swept: Vec<usize> = (0..presets.len())
         .filter(|&preset| is_swept(&presets[preset]))
@@ -70,7 +70,7 @@ pub fn steps(outcome: &Outcome) -> Option<Figure> {
 
 /// A matrix: rows are the scenes, columns have these names.
 fn picture<'a>(
-    outcome: &'a Outcome,
+    outcome: &'a StabilityOutcome,
     id: &str,
     title: &str,
     caption: &str,

@@ -15,13 +15,13 @@ mod tables;
 mod words;
 
 pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
-pub use evidence::{Evidence, Judgement, Place};
+pub use evidence::{Evidence, FoundAt, Judgement};
 pub use page::{page, summary};
 pub(super) use plan::tried;
 pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
 pub use rules::{RULES, Rule, rule};
 
-use super::matrix::{Column, Task, Watch, run_tasks};
+use super::matrix::{Configuration, Task, Watch, run_tasks};
 use crate::engine::Roster;
 use crate::finding::{Finding, Hold, Tolerance, Verdict};
 use crate::oracle::Oracle;
@@ -38,7 +38,7 @@ pub struct Question {
     /// The hard cases.
     pub scenes: Vec<Scene>,
     /// The engines and presets in which every case runs.
-    pub presets: Vec<Column>,
+    pub presets: Vec<Configuration>,
     /// Whether cells that take more than their share run as well.
     pub full: bool,
     /// Whether cells of presets and tried settings that break are drawn.
@@ -56,7 +56,7 @@ pub struct Case {
 
 /// Everything that the matrix found.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct StabilityOutcome {
     /// What was asked.
     pub question: Question,
     /// What the exact engine knows of each scene.
@@ -68,7 +68,7 @@ pub struct Outcome {
 }
 
 /// Runs the matrix. Errors: a scene asks for a setting that is none.
-pub fn study(question: Question, watch: Watch<'_>) -> Result<Outcome, PlanError> {
+pub fn study(question: Question, watch: Watch<'_>) -> Result<StabilityOutcome, PlanError> {
     let oracles = ask_oracles(&question.scenes, watch);
     let mut planned = Vec::new();
     for (index, scene) in question.scenes.iter().enumerate() {
@@ -110,7 +110,7 @@ pub fn study(question: Question, watch: Watch<'_>) -> Result<Outcome, PlanError>
         judged[*index] = answer;
     }
     let cases = planned.into_iter().zip(judged);
-    Ok(Outcome {
+    Ok(StabilityOutcome {
         asked: runs.len(),
         cases: cases
             .map(|(planned, judged)| Case { planned, judged })
@@ -146,7 +146,7 @@ impl Question {
     }
 }
 
-impl Outcome {
+impl StabilityOutcome {
     /// The scene of a case.
     pub fn scene(&self, case: &Case) -> &Scene {
         &self.question.scenes[case.planned.scene]

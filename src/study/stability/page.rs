@@ -1,6 +1,6 @@
 //! The document of a matrix of hard cases: what the terminal shows, and the whole page.
 
-use super::{Outcome, figures, tables, words};
+use super::{StabilityOutcome, figures, tables, words};
 use crate::finding::{Block, Document};
 use crate::study::Extent;
 use crate::study::compare::{describe_ending, describe_scene};
@@ -9,7 +9,7 @@ use crate::study::compare::{describe_ending, describe_scene};
 const FEW: usize = 3;
 
 /// What the terminal shows. `changed`: whether a cell of a scene differs from what was accepted.
-pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
+pub fn summary(outcome: &StabilityOutcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
     let mut blocks = Vec::new();
     let broken = outcome.broken_promises();
     if !broken.is_empty() {
@@ -37,7 +37,7 @@ pub fn summary(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Docu
 }
 
 /// The whole page: also the rules, and a page a scene with its pictures.
-pub fn page(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
+pub fn page(outcome: &StabilityOutcome, changed: &dyn Fn(usize, &str) -> bool) -> Document {
     let mut document = summary(outcome, changed);
     // each beside its table
     for (table, figure) in [
@@ -64,7 +64,7 @@ pub fn page(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Documen
 }
 
 /// What a scene is, and what the exact engine says of it.
-fn about(outcome: &Outcome, index: usize) -> Vec<Block> {
+fn about(outcome: &StabilityOutcome, index: usize) -> Vec<Block> {
     let scene = &outcome.question.scenes[index];
     let mut blocks = vec![
         Block::Heading(scene.name.clone()),
@@ -88,7 +88,7 @@ fn about(outcome: &Outcome, index: usize) -> Vec<Block> {
     blocks
 }
 
-fn of_scene(outcome: &Outcome, index: usize) -> Document {
+fn of_scene(outcome: &StabilityOutcome, index: usize) -> Document {
     let scene = &outcome.question.scenes[index];
     let mut blocks = about(outcome, index);
     // the title says it

@@ -3,7 +3,7 @@
 use crate::engine::{Roster, Setting};
 use crate::oracle::Oracle;
 use crate::scene::Scene;
-use crate::study::matrix::Column;
+use crate::study::matrix::Configuration;
 use crate::trace::Ending;
 use thiserror::Error;
 
@@ -49,7 +49,7 @@ pub struct Planned {
     /// Index of the scene.
     pub scene: usize,
     /// Engine and setting.
-    pub column: Column,
+    pub column: Configuration,
     /// Why it is here.
     pub role: Role,
     /// States that one run goes through: steps x balls; events expected x balls for an engine without steps.
@@ -77,13 +77,13 @@ pub enum PlanError {
 }
 
 /// The engines and presets in which every case runs when none are named.
-pub fn presets(roster: &Roster) -> Vec<Column> {
-    Column::presets(roster, |_| true)
+pub fn presets(roster: &Roster) -> Vec<Configuration> {
+    Configuration::presets(roster, |_| true)
 }
 
 /// True where a step can be set for a column: its engine has one, and neither the preset that it extends nor what is set besides
 /// fixes it.
-pub fn is_swept(column: &Column) -> bool {
+pub fn is_swept(column: &Configuration) -> bool {
     let Some(swept) = column.engine.with_step(&column.setting, STEPS[0]) else {
         return false;
     };
@@ -97,11 +97,11 @@ pub fn cells(
     scene: &Scene,
     oracle: Option<&Oracle>,
     roster: &Roster,
-    presets: &[Column],
+    presets: &[Configuration],
 ) -> Result<Vec<Planned>, PlanError> {
     let end = end_time(scene, oracle);
     let mut cells: Vec<Planned> = Vec::new();
-    let mut add = |column: Column, role: Role| {
+    let mut add = |column: Configuration, role: Role| {
         if cells
             .iter()
             .any(|cell| cell.column.label() == column.label())
@@ -139,7 +139,10 @@ pub fn cells(
                 continue;
             }
             if let Some(setting) = preset.engine.with_step(&preset.setting, step) {
-                add(Column::with(&preset.engine, setting), Role::Step(p, s));
+                add(
+                    Configuration::with(&preset.engine, setting),
+                    Role::Step(p, s),
+                );
             }
         }
     }
@@ -172,7 +175,7 @@ pub(in crate::study) fn tried(
     roster: &Roster,
     scene: &Scene,
     text: &str,
-) -> Result<Column, PlanError> {
+) -> Result<Configuration, PlanError> {
     let wrong = |why: String| PlanError::Try {
         scene: scene.name.clone(),
         setting: text.to_owned(),
@@ -182,11 +185,11 @@ pub(in crate::study) fn tried(
     let id = words.next().unwrap_or_default();
     let engine = (roster.find(id)).ok_or_else(|| wrong(format!("no engine is called `{id}`")))?;
     let setting = Setting::parse(words).map_err(|refusal| wrong(refusal.to_string()))?;
-    Ok(Column::with(engine, setting))
+    Ok(Configuration::with(engine, setting))
 }
 
 /// The step of a column, s; `None` for an engine without one.
-pub fn step_of(column: &Column) -> Option<f64> {
+pub fn step_of(column: &Configuration) -> Option<f64> {
     column.engine.step(&column.setting)
 }
 
@@ -196,7 +199,7 @@ fn end_time(scene: &Scene, oracle: Option<&Oracle>) -> f64 {
     rest.map_or(scene.duration, |o| o.trace.end_time.min(scene.duration))
 }
 
-fn states(column: &Column, end: f64, scene: &Scene, oracle: Option<&Oracle>) -> f64 {
+fn states(column: &Configuration, end: f64, scene: &Scene, oracle: Option<&Oracle>) -> f64 {
     let balls = scene.balls.len() as f64;
     match step_of(column) {
         Some(dt) if dt > 0.0 => (end / dt).max(1.0) * balls,

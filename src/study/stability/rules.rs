@@ -4,7 +4,7 @@
 //! are passed through. What is only less exact than its step or its scalar explains drifts.
 
 use super::against;
-use super::evidence::{Evidence, Judgement, Place, short};
+use super::evidence::{Evidence, FoundAt, Judgement, short};
 use crate::finding::{Hold, Tolerance, Verdict};
 use crate::law::{self, Held, Law, energy, finite, image, momentum, outside, overlap, rest};
 use crate::math::within;
@@ -153,9 +153,9 @@ pub fn rule(id: &str) -> Option<&'static Rule> {
     RULES.iter().find(|rule| rule.id == id)
 }
 
-fn place(extremum: &Extremum) -> Place {
+fn place(extremum: &Extremum) -> FoundAt {
     let balls = [extremum.ball, extremum.other].into_iter().flatten();
-    Place {
+    FoundAt {
         time: extremum.time,
         balls: balls.map(|ball| ball as usize).collect(),
     }
@@ -170,7 +170,7 @@ fn judge_finite(e: &Evidence<'_>) -> Option<Judgement> {
             short(spot.time),
             spot.why
         );
-        let found = Place {
+        let found = FoundAt {
             time: spot.time,
             balls,
         };
@@ -188,7 +188,7 @@ fn judge_finite(e: &Evidence<'_>) -> Option<Judgement> {
         e.names(&[ball]),
         short(time)
     );
-    let found = Place {
+    let found = FoundAt {
         time,
         balls: vec![ball],
     };
@@ -240,7 +240,7 @@ fn lost(e: &Evidence<'_>) -> Option<Judgement> {
 }
 
 /// `balls cue-1`.
-fn whose(e: &Evidence<'_>, found: &Place) -> String {
+fn whose(e: &Evidence<'_>, found: &FoundAt) -> String {
     let word = if found.balls.len() == 1 {
         "ball"
     } else {
@@ -291,7 +291,7 @@ fn judge_rest(e: &Evidence<'_>) -> Option<Judgement> {
         short(when)
     );
     let count = moving.len() as f64;
-    let found = Place {
+    let found = FoundAt {
         time: e.trace.end_time,
         balls: moving,
     };
@@ -445,7 +445,7 @@ fn answer(e: &Evidence<'_>) -> Option<Judgement> {
             e.names(&balls),
             spot.why
         );
-        let found = Place {
+        let found = FoundAt {
             time: spot.time,
             balls,
         };

@@ -3,7 +3,7 @@
 use super::plan::{Role, STEPS};
 use super::rules::RULES;
 use super::words::{absent, heading, is_preset, mark, word};
-use super::{Case, Outcome, Reach};
+use super::{Case, Reach, StabilityOutcome};
 use crate::finding::{Cell, Column, Table, Tone, Verdict};
 
 /// What a verdict is to a reader who only glances.
@@ -20,13 +20,13 @@ fn scene_column() -> Column {
     Column::words("scene", "scene")
 }
 
-fn scene_cell(outcome: &Outcome, scene: usize) -> Cell {
+fn scene_cell(outcome: &StabilityOutcome, scene: usize) -> Cell {
     let name = &outcome.question.scenes[scene].name;
     Cell::Page(name.clone(), name.clone())
 }
 
 /// Scenes x presets. `changed`: whether a cell differs from what was accepted.
-pub fn matrix(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Table {
+pub fn matrix(outcome: &StabilityOutcome, changed: &dyn Fn(usize, &str) -> bool) -> Table {
     let mut columns = vec![scene_column()];
     let presets = &outcome.question.presets;
     for preset in presets {
@@ -70,7 +70,7 @@ pub fn matrix(outcome: &Outcome, changed: &dyn Fn(usize, &str) -> bool) -> Table
 }
 
 /// Scenes x engines: one letter a step, and one for each setting that the scene asks for.
-pub fn steps(outcome: &Outcome) -> Option<Table> {
+pub fn steps(outcome: &StabilityOutcome) -> Option<Table> {
     let swept: Vec<usize> = (0..outcome.question.presets.len())
         .filter(|&p| super::plan::is_swept(&outcome.question.presets[p]))
         .collect();
@@ -125,7 +125,12 @@ pub fn steps(outcome: &Outcome) -> Option<Table> {
 }
 
 /// The cell of a scene in a preset with its step replaced; a preset's own step stands in its place.
-pub fn of_step(outcome: &Outcome, scene: usize, preset: usize, step: usize) -> Option<&Case> {
+pub fn of_step(
+    outcome: &StabilityOutcome,
+    scene: usize,
+    preset: usize,
+    step: usize,
+) -> Option<&Case> {
     outcome
         .of_scene(scene)
         .find(|case| match case.planned.role {
@@ -139,7 +144,7 @@ pub fn of_step(outcome: &Outcome, scene: usize, preset: usize, step: usize) -> O
 }
 
 /// Every cell of one scene, with its sentence.
-pub fn scene(outcome: &Outcome, scene: usize) -> Table {
+pub fn scene(outcome: &StabilityOutcome, scene: usize) -> Table {
     let mut rows = Vec::new();
     let mut left = 0;
     for case in outcome.of_scene(scene) {
@@ -173,7 +178,7 @@ pub fn scene(outcome: &Outcome, scene: usize) -> Table {
 }
 
 /// Every figure of one scene: rows are rules, columns the presets and what the scene asks for.
-pub fn figures(outcome: &Outcome, scene: usize) -> Table {
+pub fn figures(outcome: &StabilityOutcome, scene: usize) -> Table {
     let cases: Vec<&Case> = outcome
         .of_scene(scene)
         .filter(|case| !matches!(case.planned.role, Role::Step(..)) && case.judged.is_some())
@@ -206,7 +211,7 @@ pub fn figures(outcome: &Outcome, scene: usize) -> Table {
 }
 
 /// Every cell that does not run, and why.
-pub fn absent_cells(outcome: &Outcome) -> Option<Table> {
+pub fn absent_cells(outcome: &StabilityOutcome) -> Option<Table> {
     let rows: Vec<Vec<Cell>> = outcome
         .cases
         .iter()

@@ -1,9 +1,9 @@
 //! What a matrix of hard cases says, in sentences.
 
 use super::plan::Role;
-use super::{Case, Outcome, Reach};
+use super::{Case, Reach, StabilityOutcome};
 use crate::finding::Verdict;
-use crate::study::matrix::Column;
+use crate::study::matrix::Configuration;
 
 /// One word of a verdict, short enough for a matrix of seven columns.
 pub fn word(verdict: Verdict) -> &'static str {
@@ -28,7 +28,7 @@ pub fn letter(verdict: Verdict) -> char {
 }
 
 /// The sentence a person came for.
-pub fn sentence(outcome: &Outcome) -> String {
+pub fn sentence(outcome: &StabilityOutcome) -> String {
     let scenes = outcome.question.scenes.len();
     let all = |_: &Case| true;
     let counts: Vec<String> = [
@@ -51,7 +51,7 @@ pub fn sentence(outcome: &Outcome) -> String {
 }
 
 /// What the engines do that promise to hold in every case.
-fn own_models(outcome: &Outcome) -> String {
+fn own_models(outcome: &StabilityOutcome) -> String {
     let promises = outcome.broken_promises().len();
     let promised = match promises {
         0 if outcome.is_cut_short() => "Nothing that ran breaks a promise".to_owned(),
@@ -59,8 +59,8 @@ fn own_models(outcome: &Outcome) -> String {
         1 => "One promised invariant is broken".to_owned(),
         n => format!("{n} promised invariants are broken"),
     };
-    let mut sound = Column::presets(&outcome.question.roster, |preset| preset.sound);
-    Column::solvers_first(&mut sound);
+    let mut sound = Configuration::presets(&outcome.question.roster, |preset| preset.sound);
+    Configuration::solvers_first(&mut sound);
     let broken = sound.iter().map(|column| {
         let own = |case: &Case| {
             let asked = &case.planned.column;
@@ -87,7 +87,7 @@ fn own_models(outcome: &Outcome) -> String {
 }
 
 /// What was left out, and why; `None` where nothing was.
-pub fn left_out(outcome: &Outcome) -> Option<String> {
+pub fn left_out(outcome: &StabilityOutcome) -> Option<String> {
     let of = |reach: Reach| {
         let left = outcome.cases.iter().filter(|case| {
             case.planned.reach == reach && !outcome.question.runs(case.planned.reach)
@@ -118,7 +118,7 @@ pub fn heading(case: &Case) -> String {
 }
 
 /// Engine, preset and what is set besides, in short words: `stepper approach check`.
-fn short_words(column: &Column) -> String {
+fn short_words(column: &Configuration) -> String {
     let mut words = vec![column.engine.id().replace('-', " ")];
     if let Some((preset, besides)) = column.preset() {
         // what the defaults are called is no name for another setting
@@ -133,7 +133,7 @@ fn short_words(column: &Column) -> String {
 }
 
 /// Why a cell did not run.
-pub fn absent(outcome: &Outcome, case: &Case) -> &'static str {
+pub fn absent(outcome: &StabilityOutcome, case: &Case) -> &'static str {
     match case.planned.reach {
         Reach::Never => "out of reach",
         Reach::Full if !outcome.question.full => "only with --full",
@@ -142,7 +142,7 @@ pub fn absent(outcome: &Outcome, case: &Case) -> &'static str {
 }
 
 /// One mark of a step's cell: a letter, `.` where it is left to --full, `-` where it is out of reach, `?` where it was cut short.
-pub fn mark(outcome: &Outcome, case: &Case) -> char {
+pub fn mark(outcome: &StabilityOutcome, case: &Case) -> char {
     match (&case.judged, case.planned.reach) {
         (Some(judged), _) => letter(judged.verdict),
         (None, Reach::Never) => '-',

@@ -3,7 +3,7 @@
 use crate::engine::{Refusal, Roster, Setting, step_knob};
 use crate::oracle;
 use crate::scene::Scene;
-use crate::study::Column;
+use crate::study::Configuration;
 use crate::study::compare::{default_columns, plan};
 use crate::web::encoding::Pairs;
 use crate::web::problem::Problem;
@@ -103,7 +103,7 @@ impl Engines {
     ///
     /// An engine that cannot run the scene is an answer, not an error; so is one that refuses a setting, as in `carom compare`. A step
     /// that an engine does not understand is a mistake at its field.
-    pub fn columns(&self, scene: &Scene) -> Result<Vec<Column>, Problem> {
+    pub fn columns(&self, scene: &Scene) -> Result<Vec<Configuration>, Problem> {
         let ticked = self.boxes.iter().filter(|known| known.ticked);
         let mut columns = Vec::new();
         for known in ticked {
@@ -134,18 +134,18 @@ impl Engines {
         counted(columns)
     }
 
-    fn listed(&self, list: &str, field: &str) -> Result<Vec<Column>, Problem> {
+    fn listed(&self, list: &str, field: &str) -> Result<Vec<Configuration>, Problem> {
         listed(&self.roster, list, field)
     }
 }
 
 /// The columns of a list as `carom compare --engines` takes it.
-pub fn columns(roster: &Roster, list: &str) -> Result<Vec<Column>, Problem> {
+pub fn columns(roster: &Roster, list: &str) -> Result<Vec<Configuration>, Problem> {
     counted(plan(roster, &listed(roster, list, "engines")?))
 }
 
-fn listed(roster: &Roster, list: &str, field: &str) -> Result<Vec<Column>, Problem> {
-    Column::list(roster, list).map_err(|why| {
+fn listed(roster: &Roster, list: &str, field: &str) -> Result<Vec<Configuration>, Problem> {
+    Configuration::list(roster, list).map_err(|why| {
         let help = format!("such as {}", example(roster));
         Problem::at(field, why, help)
     })
@@ -153,20 +153,24 @@ fn listed(roster: &Roster, list: &str, field: &str) -> Result<Vec<Column>, Probl
 
 /// A list of two engines with settings: the first preset that sets something, and another engine with a step of its own.
 pub fn example(roster: &Roster) -> String {
-    let set = Column::presets(roster, |preset| !preset.setting.values.is_empty());
+    let set = Configuration::presets(roster, |preset| !preset.setting.values.is_empty());
     let first = set.first().cloned();
     let other = roster.iter().rev().find_map(|engine| {
         let differs = first.as_ref().is_none_or(|c| c.engine.id() != engine.id());
         let step = engine.step(&Setting::default()).filter(|_| differs)?;
         let setting = engine.with_step(&Setting::default(), 0.1 * step)?;
-        Some(Column::with(engine, setting))
+        Some(Configuration::with(engine, setting))
     });
-    let specs: Vec<String> = first.iter().chain(&other).map(Column::spec).collect();
+    let specs: Vec<String> = first
+        .iter()
+        .chain(&other)
+        .map(Configuration::spec)
+        .collect();
     specs.join(",")
 }
 
 /// The same columns, if there are not too many and each is there once.
-fn counted(columns: Vec<Column>) -> Result<Vec<Column>, Problem> {
+fn counted(columns: Vec<Configuration>) -> Result<Vec<Configuration>, Problem> {
     if columns.len() > MOST_COLUMNS {
         let message = format!("{} engines are too many for one page", columns.len());
         let help = format!("{MOST_COLUMNS} are the most");
@@ -184,10 +188,13 @@ fn counted(columns: Vec<Column>) -> Result<Vec<Column>, Problem> {
 }
 
 /// `--engines LIST` for these columns, with a space before it; nothing for those that run where none is named.
-pub fn as_argument<'c>(roster: &Roster, columns: impl Iterator<Item = &'c Column>) -> String {
-    let specs: Vec<String> = columns.map(Column::spec).collect();
+pub fn as_argument<'c>(
+    roster: &Roster,
+    columns: impl Iterator<Item = &'c Configuration>,
+) -> String {
+    let specs: Vec<String> = columns.map(Configuration::spec).collect();
     let defaults = plan(roster, &default_columns(roster));
-    let default: Vec<String> = defaults.iter().map(Column::spec).collect();
+    let default: Vec<String> = defaults.iter().map(Configuration::spec).collect();
     match specs == default {
         true => String::new(),
         false => format!(" --engines {}", specs.join(",")),

@@ -195,7 +195,7 @@ fn nodes(schema: &'static Schema, path: &str, held: Option<&Table>) -> Vec<Node>
     let mut found = Vec::new();
     for key in keys(properties) {
         let (property, value) = (&properties[key], held.and_then(|held| held.get(key)));
-        let place = Place {
+        let place = SchemaKey {
             path: join(path, key),
             key,
             property,
@@ -208,7 +208,7 @@ fn nodes(schema: &'static Schema, path: &str, held: Option<&Table>) -> Vec<Node>
 }
 
 /// A key of the format.
-struct Place<'k> {
+struct SchemaKey<'k> {
     path: String,
     key: &'k str,
     property: &'static Schema,
@@ -216,7 +216,7 @@ struct Place<'k> {
     required: bool,
 }
 
-impl Place<'_> {
+impl SchemaKey<'_> {
     fn node(self, value: Option<&Value>) -> Option<Node> {
         let kind = match kind_of(self.target) {
             _ if words(self.target).is_some() => {

@@ -3,7 +3,7 @@
 
 use carom::engine::{Limits, Roster};
 use carom::scene::parse_bytes;
-use carom::study::Column;
+use carom::study::Configuration;
 use carom::study::random::judge;
 use libfuzzer_sys::fuzz_target;
 
@@ -23,7 +23,7 @@ fuzz_target!(|bytes: &[u8]| {
         ..Limits::NONE
     };
     scene.try_settings = vec![format!("stepper dt={:e}", scene.duration / STEPS)];
-    for column in Column::presets(&Roster::built_in(), |preset| preset.sound) {
+    for column in Configuration::presets(&Roster::built_in(), |preset| preset.sound) {
         let column = column.as_tried(&scene);
         if let Ok((_, _, verdict)) = judge(&scene, &column, &limits, true) {
             assert_eq!(verdict.faults, [], "{}", column.label());

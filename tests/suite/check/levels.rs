@@ -8,9 +8,9 @@ use carom::engine::{
 use carom::gate::{Accepted, Held, Refused};
 use carom::physics::invariants::Invariant;
 use carom::scene::{Scene, catalogue};
-use carom::study::check::{HELD, Level, ORACLE, Outcome, State, WRITTEN, level, study};
+use carom::study::check::{CheckOutcome, HELD, Level, ORACLE, State, WRITTEN, level, study};
 use carom::study::compare::default_columns;
-use carom::study::{Column, Watch};
+use carom::study::{Configuration, Watch};
 use carom::trace::{Record, Trace};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-fn outcome(scenes: &[&str], columns: &[Column]) -> Outcome {
+fn outcome(scenes: &[&str], columns: &[Configuration]) -> CheckOutcome {
     let named = scenes.iter().map(|name| catalogue::scene(name).unwrap());
     let watch = Watch {
         progress: &|_, _, _| {},
@@ -97,7 +97,7 @@ impl Run for PlantedRun<'_> {
 
 /// A run of the stepper with something planted, held against the plain one.
 fn held(scenes: &[&str], planted: &Planted) -> Held {
-    let column = |engine: Arc<dyn Engine>| [Column::of(&engine)];
+    let column = |engine: Arc<dyn Engine>| [Configuration::of(&engine)];
     let plain = outcome(scenes, &column(Arc::new(Stepper)));
     let accepted = |scene: &Scene| {
         Some(Accepted {

@@ -6,25 +6,25 @@ use carom::gate::{self, Decision, Held, Refused};
 use carom::law::Fault;
 use carom::study::check::{self as gate_study, Level, RANDOM, State, random_hash, random_plan};
 use carom::study::random::{self, Failure};
-use carom::study::{Column, Watch};
+use carom::study::{Configuration, Watch};
 use std::fs;
 use std::sync::atomic::AtomicBool;
 
 /// A few scenes, added to a check of nothing else.
-fn few(scenes: u64, cancelled: bool) -> (gate_study::Outcome, random::Outcome) {
+fn few(scenes: u64, cancelled: bool) -> (gate_study::CheckOutcome, random::RandomOutcome) {
     let stop = AtomicBool::new(cancelled);
     let watch = Watch {
         progress: &|_, _, _| {},
         cancelled: &stop,
     };
-    let columns = [Column::of(crate::support::find("exact").unwrap())];
+    let columns = [Configuration::of(crate::support::find("exact").unwrap())];
     let found = random::study(random_plan(&columns, scenes), watch);
     let outcome = gate_study::study(crate::support::roster(), &[], &columns, watch).unwrap();
     (outcome, found)
 }
 
 /// How a check stands to what was accepted of its random scenes; `None`: nothing was.
-fn decision(outcome: gate_study::Outcome, accepted: Option<gate::Accepted>) -> Decision {
+fn decision(outcome: gate_study::CheckOutcome, accepted: Option<gate::Accepted>) -> Decision {
     let held = Held::new(outcome, vec![accepted], Vec::new());
     held.standing().decision()
 }
@@ -152,9 +152,10 @@ fn the_random_scenes_of_the_gate_are_asked_for_by_name_and_appear_wherever_a_sce
 
 #[test]
 fn the_engines_that_hold_in_random_scenes_are_those_of_the_check() {
-    let columns = Column::list(crate::support::roster(), "stepper:dt=0.004,rapier-f64").unwrap();
+    let columns =
+        Configuration::list(crate::support::roster(), "stepper:dt=0.004,rapier-f64").unwrap();
     let plan = random_plan(&columns, 1);
-    let labels: Vec<String> = plan.columns.iter().map(Column::label).collect();
+    let labels: Vec<String> = plan.columns.iter().map(Configuration::label).collect();
     assert_eq!(labels, ["stepper contact=approaching-only"]);
     assert_eq!(
         plan.columns[0].setting,

@@ -3,7 +3,7 @@
 use super::{Exempt, gate, hold, tried};
 use crate::mutants::{Fault, Wrong, caught, held};
 use carom::study::compare::default_columns;
-use carom::study::matrix::Column;
+use carom::study::matrix::Configuration;
 use std::collections::BTreeSet;
 
 /// Keys that no gate scene can hold.
@@ -45,7 +45,7 @@ fn every_key_at_another_value_is_held_so_that_ignoring_it_is_noticed() {
                 let knobs = column.engine.knobs();
                 let knob = knobs.into_iter().find(|knob| knob.key == *key).unwrap();
                 let [key, default] = [&knob.key, &knob.default].map(|word| &*word.clone().leak());
-                let wrong = Column {
+                let wrong = Configuration {
                     engine: Wrong::engine(column.engine.id(), Fault::Setting(key, default)),
                     setting: column.setting.clone(),
                 };

@@ -13,7 +13,7 @@ use carom::engine;
 use carom::scene::{Scene, SetName, catalogue};
 use carom::study::check::plan;
 use carom::study::compare::default_columns;
-use carom::study::matrix::Column;
+use carom::study::matrix::Configuration;
 use carom::trace::Record;
 use std::collections::BTreeSet;
 
@@ -79,7 +79,7 @@ fn two_balls() -> Scene {
 }
 
 /// True where the column can simulate the scene.
-fn accepts(column: &Column, scene: &Scene) -> bool {
+fn accepts(column: &Configuration, scene: &Scene) -> bool {
     engine::prepare(column.engine.as_ref(), scene, &column.setting).is_ok()
 }
 
@@ -131,7 +131,7 @@ fn what_is_missing_is_told_and_so_is_an_exemption_that_is_not_needed() {
 }
 
 /// The columns of a scene that its `try` adds.
-fn tried(scene: &Scene) -> Vec<Column> {
+fn tried(scene: &Scene) -> Vec<Configuration> {
     let given = default_columns(crate::support::roster());
     plan(crate::support::roster(), scene, &given)
         .unwrap()

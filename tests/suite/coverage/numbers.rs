@@ -5,7 +5,7 @@ use crate::mutants::{Fault, Wrong, caught, held};
 use carom::engine;
 use carom::scene::Scene;
 use carom::study::compare::default_columns;
-use carom::study::matrix::Column;
+use carom::study::matrix::Configuration;
 use std::collections::BTreeSet;
 
 /// Numbers that no gate scene holds.
@@ -46,7 +46,7 @@ fn every_number_of_every_law_is_held_in_every_column_that_accepts_it() {
             }
             tried += 1;
             let notices = |scene: &&Scene| {
-                let wrong = Column {
+                let wrong = Configuration {
                     engine: Wrong::engine(column.engine.id(), Fault::Number(key, 1.0 + MORE)),
                     setting: column.setting.clone(),
                 };

@@ -3,8 +3,8 @@
 use carom::finding::Verdict;
 use carom::gate::{self, Accepted, Change, Decision, Held, Kind, Located, Row};
 use carom::scene::{Scene, SetName, catalogue};
-use carom::study::check::{self, Level, ORACLE, Outcome};
-use carom::study::matrix::{Column, Watch};
+use carom::study::check::{self, CheckOutcome, Level, ORACLE};
+use carom::study::matrix::{Configuration, Watch};
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
@@ -22,7 +22,7 @@ pub fn gate_scenes(names: &[&str]) -> Vec<Scene> {
 }
 
 /// Runs scenes in columns as `check` does, and so many of its random ones.
-fn study(scenes: &[Scene], columns: &[Column], random: u64) -> Outcome {
+fn study(scenes: &[Scene], columns: &[Configuration], random: u64) -> CheckOutcome {
     static NEVER: AtomicBool = AtomicBool::new(false);
     let watch = Watch {
         progress: &|_, _, _| {},
@@ -37,13 +37,13 @@ fn study(scenes: &[Scene], columns: &[Column], random: u64) -> Outcome {
 }
 
 /// Accepted findings of a scene for some columns and what it asks of them, and of the oracle.
-fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
+fn accepted(scene: &Scene, columns: &[Configuration]) -> Accepted {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/validation/baselines");
     let path = format!("{folder}/{}.csv", scene.name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut baseline = gate::read(&text).unwrap_or_else(|e| panic!("{path}: {e}"));
     let planned = check::plan(crate::support::roster(), scene, columns).unwrap();
-    let labels: Vec<String> = planned.iter().map(Column::label).collect();
+    let labels: Vec<String> = planned.iter().map(Configuration::label).collect();
     let rows = &mut baseline.rows;
     rows.retain(|row| row.engine == ORACLE || labels.contains(&row.engine));
     // bits of columns that do not run would be those of engines that are no more
@@ -56,7 +56,7 @@ fn accepted(scene: &Scene, columns: &[Column]) -> Accepted {
 }
 
 /// Runs scenes in columns and holds them against what is accepted; `random`: so many of the gate's random scenes, whose counts are not held.
-pub fn hold(scenes: &[Scene], columns: &[Column], random: u64) -> Held {
+pub fn hold(scenes: &[Scene], columns: &[Configuration], random: u64) -> Held {
     let baselines = scenes.iter().map(|scene| Some(accepted(scene, columns)));
     let baselines = baselines.collect();
     Held::new(study(scenes, columns, random), baselines, Vec::new())

@@ -8,8 +8,8 @@ use super::told;
 use carom::engine::Setting;
 use carom::physics::{Cloth, Contact, Cushion, Friction};
 use carom::scene::Scene;
-use carom::study::matrix::{Column, Watch};
-use carom::study::random::{Failure, Outcome, Plan, study};
+use carom::study::matrix::{Configuration, Watch};
+use carom::study::random::{Failure, Plan, RandomOutcome, study};
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
@@ -24,14 +24,14 @@ const STEPPER: &str = "stepper";
 /// One wrong law: the engine, what is wrong, the fault that must be seen, and a word of the law that it names.
 type Mutant = (&'static str, Fault, &'static str, &'static str);
 
-fn outcome(engine: &str, fault: Fault, scenes: u64) -> Outcome {
+fn outcome(engine: &str, fault: Fault, scenes: u64) -> RandomOutcome {
     static NEVER: AtomicBool = AtomicBool::new(false);
     let rule = (engine == STEPPER).then_some("contact=approaching-only");
     let plan = Plan {
         first: 0,
         scenes,
         seed: SEED,
-        columns: vec![Column {
+        columns: vec![Configuration {
             engine: Wrong::engine(engine, fault),
             setting: Setting::parse(rule).unwrap(),
         }],
@@ -50,7 +50,7 @@ fn a_wrong_law_is_flagged_by_name_in_some_hundred_random_scenes() {
     for (number, (engine, fault, what, law)) in MUTANTS.iter().enumerate() {
         let named =
             |failure: &Failure| failure.fault.what == *what && failure.fault.words.contains(law);
-        let flagged = |found: &Outcome| found.failures.iter().any(named);
+        let flagged = |found: &RandomOutcome| found.failures.iter().any(named);
         let mut found = outcome(engine, *fault, SCENES);
         if !flagged(&found) {
             // a law that few scenes have

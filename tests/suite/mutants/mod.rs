@@ -18,7 +18,7 @@ use crate::support::run;
 use carom::engine::Setting;
 use carom::scene::{SetName, catalogue};
 use carom::study::check::Level;
-use carom::study::matrix::Column;
+use carom::study::matrix::Configuration;
 use carom::trace::Record;
 use held::Caught;
 use missed::MISSED;
@@ -112,7 +112,7 @@ fn what_is_not_mutated_is_never_flagged_for_any_number_of_threads() {
         for &(id, setting) in &columns {
             let names = jobs.iter().filter(|job| (job.0, job.1) == (id, setting));
             let names: Vec<&str> = names.map(|job| job.2).collect();
-            let column = [Column {
+            let column = [Configuration {
                 engine: crate::support::find(id).unwrap().clone(),
                 setting: Setting::parse(setting.iter().copied()).unwrap(),
             }];

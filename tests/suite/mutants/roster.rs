@@ -6,7 +6,7 @@ use carom::engine::Setting;
 use carom::math::Vec3;
 use carom::physics::{Contact, Side};
 use carom::scene::Scene;
-use carom::study::matrix::Column;
+use carom::study::matrix::Configuration;
 use carom::trace::{EventKind, Trace};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -28,8 +28,8 @@ pub struct Mutant {
 
 impl Mutant {
     /// The column in which it runs.
-    pub fn column(&self) -> Column {
-        Column {
+    pub fn column(&self) -> Configuration {
+        Configuration {
             engine: Wrong::engine(self.engine, self.fault),
             setting: Setting::parse(self.setting.iter().copied()).unwrap(),
         }

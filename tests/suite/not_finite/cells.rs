@@ -7,7 +7,7 @@ use carom::gate::{self, Accepted, Held, hold_cases};
 use carom::math::random::Draws;
 use carom::scene::{Scene, SetName, catalogue};
 use carom::study::compare::default_columns;
-use carom::study::matrix::{Column, Watch};
+use carom::study::matrix::{Configuration, Watch};
 use carom::study::{check, stability};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -116,13 +116,13 @@ fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
 }
 
 /// The preset whose matrix holds a run: the one whose label its own continues, or that of the engine for what a scene tries.
-fn preset_of(label: &str) -> Column {
+fn preset_of(label: &str) -> Configuration {
     let presets = stability::presets(crate::support::roster());
-    let continues = |preset: &&Column| {
+    let continues = |preset: &&Configuration| {
         let rest = label.strip_prefix(&preset.label());
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" dt="))
     };
-    let engine = |preset: &&Column| label.split(' ').next() == Some(preset.engine.id());
+    let engine = |preset: &&Configuration| label.split(' ').next() == Some(preset.engine.id());
     let found = presets
         .iter()
         .find(continues)
@@ -154,7 +154,7 @@ fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
     let mut altered_cells = 0;
     for (scene, rows) in drawn {
         let (file, name) = (&files[scene], &scenes[scene].name);
-        let mut presets: Vec<Column> = Vec::new();
+        let mut presets: Vec<Configuration> = Vec::new();
         for row in &rows {
             let preset = preset_of(&file.rows[*row].engine);
             if presets.iter().all(|known| known.label() != preset.label()) {

@@ -11,7 +11,7 @@ use carom::gate::{Accepted, Held, Row};
 use carom::scene::{Scene, catalogue};
 use carom::study::cost::{self, Grid};
 use carom::study::stability::{self, Question};
-use carom::study::{Column, Timing, Watch, check, compare, validation};
+use carom::study::{Configuration, Timing, Watch, check, compare, validation};
 use carom::trace::{Counter, Record};
 use carom::web::{self, Request, Site, Turn, Turns};
 use std::sync::atomic::AtomicBool;
@@ -38,8 +38,8 @@ fn wrong() -> Roster {
 }
 
 /// The newcomer's column.
-fn column(roster: &Roster) -> Column {
-    Column::of(roster.find(ID).unwrap())
+fn column(roster: &Roster) -> Configuration {
+    Configuration::of(roster.find(ID).unwrap())
 }
 
 fn scene(name: &str) -> Scene {
@@ -102,7 +102,7 @@ fn its_errors_fall_with_its_step() {
     assert!(family.points.iter().all(|point| point.timed.is_some()));
 }
 
-fn hard(roster: &Roster, names: &[&str]) -> stability::Outcome {
+fn hard(roster: &Roster, names: &[&str]) -> stability::StabilityOutcome {
     let question = Question {
         roster: roster.clone(),
         scenes: names.iter().map(|name| scene(name)).collect(),
@@ -113,7 +113,7 @@ fn hard(roster: &Roster, names: &[&str]) -> stability::Outcome {
     stability::study(question, watch()).unwrap()
 }
 
-fn verdict(outcome: &stability::Outcome, scene: usize, label: &str) -> Verdict {
+fn verdict(outcome: &stability::StabilityOutcome, scene: usize, label: &str) -> Verdict {
     let mut cases = outcome.of_scene(scene);
     let case = cases.find(|case| case.planned.column.label() == label);
     case.unwrap().judged.as_ref().unwrap().verdict
@@ -155,7 +155,7 @@ fn friction_along_each_axis_is_found_out_by_the_diagonal_slides() {
 }
 
 /// The gate's findings of the newcomer in some scenes.
-fn checked(roster: &Roster, names: &[&str]) -> check::Outcome {
+fn checked(roster: &Roster, names: &[&str]) -> check::CheckOutcome {
     let scenes: Vec<Scene> = names.iter().map(|name| scene(name)).collect();
     check::study(roster, &scenes, &[column(roster)], watch()).unwrap()
 }

@@ -5,17 +5,17 @@ mod pages;
 mod thinning;
 
 use carom::scene::{Scene, catalogue};
-use carom::study::compare::{self, Outcome};
-use carom::study::{Column, Timing, Watch};
+use carom::study::compare::{self, ComparisonOutcome};
+use carom::study::{Configuration, Timing, Watch};
 use std::sync::atomic::AtomicBool;
 
 /// A scene compared in the engines of a list, or in those of a report.
-fn compared(scene: &Scene, engines: Option<&str>) -> Outcome {
+fn compared(scene: &Scene, engines: Option<&str>) -> ComparisonOutcome {
     let named = engines.map_or_else(
         || compare::default_columns(crate::support::roster()),
-        |list| Column::list(crate::support::roster(), list).unwrap(),
+        |list| Configuration::list(crate::support::roster(), list).unwrap(),
     );
-    let columns: Vec<Column> = compare::plan(crate::support::roster(), &named)
+    let columns: Vec<Configuration> = compare::plan(crate::support::roster(), &named)
         .iter()
         .map(|column| column.as_tried(scene))
         .collect();

@@ -6,7 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use carom::finding::{Block, Document};
 use carom::report;
 use carom::scene::{SetName, catalogue};
-use carom::study::compare::{self, LengthUnit, Outcome};
+use carom::study::compare::{self, ComparisonOutcome, LengthUnit};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 const MOST: usize = 1_500_000;
 
 /// The page of a comparison in a report that has nothing else.
-fn page_of(outcome: &Outcome) -> String {
+fn page_of(outcome: &ComparisonOutcome) -> String {
     let document = Document {
         stopped_early: None,
         id: "index".to_owned(),

@@ -7,7 +7,7 @@ use carom::finding::{Axis, Block, Cell, Document, Figure, Mark, Series, Style};
 use carom::report::{self, svg};
 use carom::scene::catalogue;
 use carom::study::matrix::Timing;
-use carom::study::{Column, Watch, compare, curves, effects, horizon, stability};
+use carom::study::{Configuration, Watch, compare, curves, effects, horizon, stability};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
@@ -138,15 +138,15 @@ fn figures(document: &Document, into: &mut Vec<Figure>) {
     }
 }
 
-fn column(engine: &str) -> Column {
-    Column::of(crate::support::find(engine).unwrap())
+fn column(engine: &str) -> Configuration {
+    Configuration::of(crate::support::find(engine).unwrap())
 }
 
 /// Figures of every kind that the program draws, flat and far tables among them.
 fn drawn() -> Vec<Figure> {
     let mut found = Vec::new();
     figures(&sample::report(), &mut found);
-    let approaching = Column {
+    let approaching = Configuration {
         setting: Setting::default().with("contact", "approaching-only"),
         ..column("stepper")
     };

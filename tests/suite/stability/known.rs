@@ -2,10 +2,10 @@
 
 use super::outcome;
 use carom::finding::Verdict;
-use carom::study::stability::{Judged, Outcome, RULES};
+use carom::study::stability::{Judged, RULES, StabilityOutcome};
 
 /// The cell of a scene in an engine.
-fn cell<'a>(outcome: &'a Outcome, scene: &str, engine: &str) -> &'a Judged {
+fn cell<'a>(outcome: &'a StabilityOutcome, scene: &str, engine: &str) -> &'a Judged {
     let mut cases = outcome.cases.iter();
     let case = cases.find(|case| {
         outcome.question.scenes[case.planned.scene].name == scene

@@ -7,8 +7,8 @@ mod rules;
 
 use carom::finding::{Block, Cell, Figure};
 use carom::study::Watch;
-use carom::study::stability::{Outcome, Question, study};
-use carom::study::{Column, stability};
+use carom::study::stability::{Question, StabilityOutcome, study};
+use carom::study::{Configuration, stability};
 use carom::{engine, scene::catalogue};
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
@@ -16,18 +16,18 @@ use std::sync::atomic::AtomicBool;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// Columns by their labels.
-fn columns(labels: &[&str]) -> Vec<Column> {
+fn columns(labels: &[&str]) -> Vec<Configuration> {
     let column = |label: &&str| {
         let mut words = label.split(' ');
         let engine = crate::support::find(words.next().unwrap()).unwrap();
         let setting = engine::Setting::parse(words).unwrap();
-        Column::with(engine, setting)
+        Configuration::with(engine, setting)
     };
     labels.iter().map(column).collect()
 }
 
 /// The matrix of catalogue scenes in some presets; every preset where none are named.
-fn outcome(scenes: &[&str], presets: &[&str]) -> Outcome {
+fn outcome(scenes: &[&str], presets: &[&str]) -> StabilityOutcome {
     let scenes = scenes.iter().map(|name| catalogue::scene(name).unwrap());
     let question = Question {
         roster: crate::support::roster().clone(),

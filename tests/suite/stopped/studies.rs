@@ -9,7 +9,7 @@ use carom::study::compare::{LengthUnit, default_columns};
 use carom::study::cost::Grid;
 use carom::study::matrix::{Effort, run_one, run_row, time_alone};
 use carom::study::{
-    Answer, Column, Timing, Watch, check, compare, cost, curves, effects, ensemble, horizon,
+    Answer, Configuration, Timing, Watch, check, compare, cost, curves, effects, ensemble, horizon,
     mutation, random, stability, validation,
 };
 use carom::trace::Record;
@@ -20,8 +20,8 @@ fn scene(name: &str) -> Scene {
     catalogue::scene(name).unwrap()
 }
 
-fn columns(list: &str) -> Vec<Column> {
-    Column::list(crate::support::roster(), list).unwrap()
+fn columns(list: &str) -> Vec<Configuration> {
+    Configuration::list(crate::support::roster(), list).unwrap()
 }
 
 /// Whether a document says first that it was stopped; where it does, in words that name how much was done.
