@@ -296,7 +296,7 @@ impl Case<'_> {
         &self,
         zero: T,
         change: impl Fn(usize, &State, &State) -> T,
-    ) -> Vec<(&Event, T)> {
+    ) -> Vec<(usize, T)> {
         let mut sums = BTreeMap::new();
         for (ball, path) in self.trace.paths.iter().enumerate() {
             for pair in path.knots.windows(2) {
@@ -307,12 +307,11 @@ impl Case<'_> {
             }
         }
         let met = |event: u32| {
-            let own = &self.trace.events[event as usize];
-            matches!(own.kind, EventKind::BallBall(..)) && !self.is_crowded(event as usize)
+            let kind = self.trace.events[event as usize].kind;
+            matches!(kind, EventKind::BallBall(..))
         };
         let own = sums.into_iter().filter(|(event, _)| met(*event));
-        let told = |event: u32| &self.trace.events[event as usize];
-        own.map(|(event, sum)| (told(event), sum)).collect()
+        own.map(|(event, sum)| (event as usize, sum)).collect()
     }
 
     /// True where a ball of an event meets something else within a step: what a step does to a ball is then of both.
@@ -339,7 +338,11 @@ impl Case<'_> {
             Vector3::new(p.x, p.y, 0.5)
         };
         for (event, sum) in self.of_impacts(Vector3::zeros(), change) {
-            let exchanges = sum.z.max(event.exchanges.unwrap_or(1) as f64);
+            if self.is_crowded(event) {
+                continue;
+            }
+            let told = self.trace.events[event].exchanges.unwrap_or(1);
+            let exchanges = sum.z.max(told as f64);
             let allowed = exchanges * (bound + self.pull());
             self.within("momentum error", sum.xy().norm(), allowed)?;
         }

@@ -1,11 +1,10 @@
-//! An engine by `World`: balls that slide to rest; beside the built-in ones, all of which end at v^2 / (2 mu g) = 2.5485 m.
+//! An engine by `World`: balls that slide to rest; beside the built-in ones, all of which end v^2 / (2 mu g) = 6.371 away.
 #![allow(clippy::print_stdout)]
-use carom::engine::stepped::materials::{self, Material};
-use carom::engine::stepped::{Load, Push, World, WorldEngine};
+use carom::engine::stepped::{Load, Push, World, WorldEngine, materials};
 use carom::engine::{Inside, Limits, Partner, Roster, Setting, prepare};
 use carom::{physics::State, scene::Scene, scene::catalogue, trace::Record};
 
-struct Sliding(Scene, Option<Material>);
+struct Sliding(Scene, Option<materials::Material>);
 
 impl World for Sliding {
     fn step(&mut self, dt: f64) {

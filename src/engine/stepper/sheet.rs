@@ -246,7 +246,7 @@ mod tests {
 
     const SCENE: &str = r#"
 name = "every-material"
-duration = 1.0
+duration = 4.0
 gravity = 9.81
 table = { width = 3.0, length = 2.0 }
 ball = { radius = 0.2, mass = 0.1 }
