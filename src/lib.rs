@@ -9,11 +9,18 @@
 //!                              exact: reference, once per scene
 //! ```
 //!
-//! The modules below are listed in the order of that pipeline, and a module imports only from modules listed above it
-//! (`tests/architecture.rs` reads the source and holds that). Everything is in the scene's own consistent units; x runs
-//! across the table, y along it, z up, and a ball at rest has its centre at z = R.
+//! A program begins with a scene ([`scene::parse`], [`scene::Scene::builder`], [`scene::catalogue`]) and the engines that it may name
+//! ([`engine::Roster`]). [`engine::prepare`] is the only way to a run, [`study::Answer`] compares a scene in several engines, and
+//! [`engine::stepped::World`] is what an engine of one's own has to be. `validation/examples/` has a program of each kind, and one that
+//! reads the trace that another program wrote ([`trace::files`]).
+//!
+//! A module imports only from those before it: `carried`, `math`, `physics`, `scene`, `trace`, `engine`, `finding`, `compare`, `oracle`,
+//! `law`, `study`, `gate`, `report`, `web`, and the command line (`tests/suite/architecture.rs` reads the sources and holds that).
+//! Everything is in the scene's own consistent units and in seconds; x runs across the table, y along it, z up, and a ball at rest has its
+//! centre at z = R.
 
 pub mod carried;
+#[doc(hidden)]
 pub mod cli;
 pub mod compare;
 pub mod engine;

@@ -4,13 +4,15 @@ use super::Failure;
 use super::scene::SceneCommand;
 use crate::engine::{Limits, Preset, Roster};
 use crate::oracle::Precision;
-use crate::report::FORMATS;
+use crate::report::{FORMATS, Format};
 use crate::study::Configuration;
+use crate::study::compare::LengthUnit;
 use crate::study::cost::Grid;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 /// Cross-validates rigid-body engines: one billiards scene, several engines, and where, when and why they part.
 ///
@@ -74,7 +76,7 @@ pub enum Command {
     Engines {
         /// How to print it.
         #[arg(long, value_parser = formats(), default_value = "text")]
-        format: String,
+        format: &'static Format,
     },
     /// List, show and check scenes.
     Scene {
@@ -83,7 +85,7 @@ pub enum Command {
         command: SceneCommand,
         /// How to print the list.
         #[arg(long, global = true, value_parser = formats(), default_value = "text")]
-        format: String,
+        format: &'static Format,
     },
     /// Print a completion script for a shell.
     Completions {
@@ -114,7 +116,7 @@ pub struct RunArguments {
     pub max_events: u64,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom compare`.
@@ -127,11 +129,11 @@ pub struct CompareArguments {
     #[arg(long, value_name = "LIST")]
     pub engines: Option<String>,
     /// Unit of lengths: R is the smallest radius, `scene` the scene's own unit.
-    #[arg(long, value_parser = ["R", "scene"], default_value = "R")]
-    pub units: String,
+    #[arg(long, value_parser = units(), default_value = LengthUnit::Radius.id())]
+    pub units: LengthUnit,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom ensemble`.
@@ -164,7 +166,7 @@ pub struct EnsembleArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom report`.
@@ -180,7 +182,7 @@ pub struct ReportArguments {
     pub engines: Option<String>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom cost`.
@@ -193,13 +195,13 @@ pub struct CostArguments {
     pub engines: Option<String>,
     /// small: seconds to a minute; full: every level of every ladder from more starts, which takes many minutes.
     #[arg(long, value_parser = grids(), default_value = Grid::Small.id())]
-    pub grid: String,
+    pub grid: Grid,
     /// Folder of the report that shows the prices; the page of the study goes to cost/SCENE below it.
     #[arg(long, value_name = "DIR", default_value = DEFAULT_FOLDER)]
     pub out: PathBuf,
     /// How to print it; other formats than text have every setting.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom horizon`.
@@ -209,13 +211,13 @@ pub struct HorizonArguments {
     pub scene: String,
     /// The precision in question; the next finer one is the witness.
     #[arg(long, value_parser = precisions(), default_value = Precision::F64.id())]
-    pub precision: String,
+    pub precision: Precision,
     /// Folder for the same as a page with its pictures; none is written without it.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom effects`.
@@ -239,7 +241,7 @@ pub struct EffectsArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom play`.
@@ -285,7 +287,7 @@ pub struct FuzzArguments {
     pub save: Option<PathBuf>,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom check`.
@@ -321,7 +323,7 @@ pub struct CheckArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom diff`.
@@ -338,7 +340,7 @@ pub struct DiffArguments {
     pub scene: Option<String>,
     /// How to print what differs.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Arguments of `carom stability`.
@@ -367,7 +369,7 @@ pub struct StabilityArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: String,
+    pub format: &'static Format,
 }
 
 /// Where a report goes unless told otherwise.
@@ -379,22 +381,37 @@ impl Default for ReportArguments {
             scenes: Vec::new(),
             out: PathBuf::from(DEFAULT_FOLDER),
             engines: None,
-            format: FORMATS[0].id.to_owned(),
+            format: &FORMATS[0],
         }
     }
 }
 
-fn formats() -> PossibleValuesParser {
-    PossibleValuesParser::new(FORMATS.iter().map(|format| format.id))
+/// One of the words of a list, as the value that it names. A word that passes the list names one of them: the first is never taken.
+fn choice<T: Clone + Send + Sync + 'static>(
+    all: &'static [T],
+    id: fn(&T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let find = move |word: String| all.iter().find(|one| id(one) == word).unwrap_or(&all[0]);
+    PossibleValuesParser::new(all.iter().map(id)).map(move |word| find(word).clone())
+}
+
+fn formats() -> impl TypedValueParser<Value = &'static Format> {
+    const EVERY: fn(&&'static Format) -> &'static str = |format| format.id;
+    static ALL: LazyLock<Vec<&'static Format>> = LazyLock::new(|| FORMATS.iter().collect());
+    choice(ALL.as_slice(), EVERY)
+}
+
+fn units() -> impl TypedValueParser<Value = LengthUnit> {
+    choice(&LengthUnit::ALL, |unit| unit.id())
 }
 
 /// The precisions that have a finer one to be held against.
-fn precisions() -> PossibleValuesParser {
-    PossibleValuesParser::new(Precision::WITNESSED.map(Precision::id))
+fn precisions() -> impl TypedValueParser<Value = Precision> {
+    choice(&Precision::WITNESSED, |precision| precision.id())
 }
 
-fn grids() -> PossibleValuesParser {
-    PossibleValuesParser::new(Grid::ALL.map(Grid::id))
+fn grids() -> impl TypedValueParser<Value = Grid> {
+    choice(&Grid::ALL, |grid| grid.id())
 }
 
 fn engine_help() -> String {

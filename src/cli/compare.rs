@@ -3,7 +3,7 @@
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
 use crate::engine::{Limits, Roster};
-use crate::study::compare::{LengthUnit, default_columns, plan};
+use crate::study::compare::{default_columns, plan};
 use crate::study::{Answer, Configuration, Timing, Watch};
 use std::process::ExitCode;
 
@@ -20,12 +20,7 @@ pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode
     let max_events = Limits::NONE.max_events;
     let answer = Answer::to(&scene, &columns, Timing::Alone, max_events, watch)?;
     drop(progress);
-    let unit = match arguments.units.as_str() {
-        "scene" => LengthUnit::Scene,
-        _ => LengthUnit::Radius,
-    };
-    let summary = answer.summary(unit);
-    terminal::show(&summary, &arguments.format)
+    terminal::show(&answer.summary(arguments.units), arguments.format)
 }
 
 /// The engines that were named, or the default ones; the exact engine first.

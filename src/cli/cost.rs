@@ -3,7 +3,7 @@
 use super::arguments::{CostArguments, parse_engines};
 use super::{Failure, publish_with, scene, terminal};
 use crate::engine::Roster;
-use crate::study::cost::{self, Grid, PriceList};
+use crate::study::cost::{self, PriceList};
 use crate::study::{Configuration, Watch};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -20,7 +20,7 @@ pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Fail
         Some(list) => parse_engines(roster, list)?,
         None => Vec::new(),
     };
-    let grid = Grid::find(&arguments.grid).unwrap_or(Grid::Small);
+    let grid = arguments.grid;
     let scene = scene::resolve(&arguments.scene)?;
     let progress = terminal::Progress::new();
     let show = |done: usize, total: usize, what: &str| progress.show(done, total, what);
@@ -32,7 +32,7 @@ pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Fail
     drop(progress);
     let folder = folder(&arguments.out, &scene.name);
     // everything for programs, what a reader can take in for a terminal
-    let shown = if arguments.format == "text" {
+    let shown = if arguments.format.is_cut {
         cost::summary(&outcome)
     } else {
         cost::page(&outcome)
@@ -45,7 +45,7 @@ pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Fail
     }
     publish_with(
         &shown,
-        &arguments.format,
+        arguments.format,
         || cost::page(&outcome),
         Some(&folder),
         prices,

@@ -3,11 +3,12 @@
 use super::{Failure, terminal};
 use crate::engine::Roster;
 use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::report::Format;
 use crate::study::validation::engine_table;
 use std::process::ExitCode;
 
 /// Prints every engine and the keys of its `--set`.
-pub fn engines(format: String, roster: &Roster) -> Result<ExitCode, Failure> {
+pub fn engines(format: &Format, roster: &Roster) -> Result<ExitCode, Failure> {
     let mut blocks = vec![Block::Table(engine_table(roster.iter()))];
     for engine in roster {
         let rows: Vec<Vec<Cell>> = engine
@@ -44,5 +45,5 @@ pub fn engines(format: String, roster: &Roster) -> Result<ExitCode, Failure> {
         blocks,
         pages: Vec::new(),
     };
-    terminal::show(&document, &format)
+    terminal::show(&document, format)
 }

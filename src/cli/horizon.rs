@@ -2,19 +2,18 @@
 
 use super::arguments::HorizonArguments;
 use super::{Failure, publish, scene, terminal};
-use crate::oracle::Precision;
 use crate::study::horizon;
 use std::process::ExitCode;
 
 /// Prints how far a scene can be predicted; writes it as a page where a folder is given.
 pub fn horizon(arguments: &HorizonArguments) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
-    let precision = Precision::find(&arguments.precision).unwrap_or_default();
+    let precision = arguments.precision;
     let document = horizon::study(&scene, precision, terminal::cancelled())
         .map_err(|refusal| Failure::Message(format!("{}: {refusal}", scene.name)))?;
     publish(
         &document,
-        &arguments.format,
+        arguments.format,
         || document.clone(),
         arguments.out.as_deref(),
     )

@@ -26,6 +26,7 @@ mod versions;
 
 use crate::engine::Roster;
 use crate::finding::Document;
+use crate::report::Format;
 use crate::scene::is_hidden;
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
@@ -102,7 +103,7 @@ pub fn main() -> ExitCode {
 /// Writes a page where a folder is named, prints the summary, and says where the page is.
 fn publish(
     summary: &Document,
-    format: &str,
+    format: &Format,
     page: impl FnOnce() -> Document,
     folder: Option<&Path>,
 ) -> Result<ExitCode, Failure> {
@@ -112,7 +113,7 @@ fn publish(
 /// The same, with other files that belong to the page; `also`: name and content of each.
 fn publish_with(
     summary: &Document,
-    format: &str,
+    format: &Format,
     page: impl FnOnce() -> Document,
     folder: Option<&Path>,
     also: Vec<(String, String)>,

@@ -3,7 +3,7 @@
 use super::exit::Exit;
 use super::{Failure, bounds, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::report;
+use crate::report::{self, Format};
 use crate::scene::generate::{GenerateError, Recipe, generate};
 use crate::scene::{
     Diagnostic, Diagnostics, Kind, Scene, SceneError, catalogue, is_kebab_case, parse_bytes,
@@ -111,9 +111,9 @@ impl LoadError {
 }
 
 /// Does one of the commands below `carom scene`.
-pub(super) fn scene(command: &SceneCommand, format: String) -> Result<ExitCode, Failure> {
+pub(super) fn scene(command: &SceneCommand, format: &Format) -> Result<ExitCode, Failure> {
     match command {
-        SceneCommand::List => terminal::show(&list_document()?, &format),
+        SceneCommand::List => terminal::show(&list_document()?, format),
         SceneCommand::Show { name } => terminal::print(show(name)?),
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {

@@ -3,7 +3,7 @@
 use super::exit::Exit;
 use super::{Failure, output};
 use crate::finding::Document;
-use crate::report;
+use crate::report::Format;
 use crate::scene::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -18,13 +18,12 @@ static CANCELLED: AtomicBool = AtomicBool::new(false);
 static HEEDED: AtomicBool = AtomicBool::new(false);
 
 /// Prints a document to stdout, and answers how a command ends that has nothing else to say.
-pub fn show(document: &Document, format: &str) -> Result<ExitCode, Failure> {
-    let printed = print(&report::render(document, format).unwrap_or_default())?;
+pub fn show(document: &Document, format: &Format) -> Result<ExitCode, Failure> {
+    let printed = print(&(format.write)(document))?;
     let Some(stopped) = &document.stopped_early else {
         return Ok(printed);
     };
-    // tables for programs have no place for words
-    if format == "csv" {
+    if !format.has_words {
         say(stopped);
     }
     Ok(Exit::StoppedEarly.into())

@@ -24,6 +24,10 @@ pub struct Format {
     pub what: &'static str,
     /// Writes any document.
     pub write: fn(&Document) -> String,
+    /// True where long tables are cut to what a reader of a terminal takes in.
+    pub is_cut: bool,
+    /// False for tables alone, which have no place for words.
+    pub has_words: bool,
 }
 
 /// Every format of `--format`; the first is the default.
@@ -32,21 +36,29 @@ pub static FORMATS: &[Format] = &[
         id: "text",
         what: "aligned tables for a terminal",
         write: text::write,
+        is_cut: true,
+        has_words: true,
     },
     Format {
         id: "json",
         what: "one JSON document with the same content and every digit",
         write: json::write,
+        is_cut: false,
+        has_words: true,
     },
     Format {
         id: "csv",
         what: "the tables with every digit",
         write: csv::write,
+        is_cut: false,
+        has_words: false,
     },
     Format {
         id: "markdown",
         what: "tables that are readable as text too",
         write: markdown::write,
+        is_cut: false,
+        has_words: true,
     },
 ];
 

@@ -100,6 +100,12 @@ impl SceneBuilder {
         self
     }
 
+    /// Another longest simulated time, s, > 0.
+    pub fn duration(mut self, duration: f64) -> Self {
+        self.0.duration = duration;
+        self
+    }
+
     /// Gravity, length/s^2.
     pub fn gravity(mut self, gravity: f64) -> Self {
         self.0.gravity = Some(gravity);
@@ -160,5 +166,67 @@ impl SceneBuilder {
         // a file can hold all that these types can; should that ever fail, the empty text is told to lack everything
         let text = self.0.text().unwrap_or_default();
         parse(&self.0.name, &text)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use crate::physics::{Cloth, Cushion};
+    use crate::scene::{Scene, parse};
+
+    #[test]
+    fn what_is_built_is_what_the_file_says() {
+        let built = Scene::builder("shot", 5.0)
+            .gravity(9.81)
+            .balls_of(0.25, 0.107)
+            .moving("cue", [5.0, 5.0], [0.0, 2.0])
+            .with_spin([1.0, 0.0, 3.0])
+            .resting("heavy", [5.0, 8.0])
+            .with_mass(0.2)
+            .with_radius(0.3)
+            .rack([5.0, 12.0], 2, 0.01)
+            .table(10.0, 20.0, Cushion::Restitution { e: 0.8 })
+            .cloth(Cloth::Translational { mu: 0.2 })
+            .elastic()
+            .to_duration()
+            .build()
+            .unwrap();
+        let written = r#"
+            name = "shot"
+            duration = 5.0
+            gravity = 9.81
+            run_to_duration = true
+            table = { width = 10.0, length = 20.0 }
+            ball = { radius = 0.25, mass = 0.107 }
+            rack = { apex = [5.0, 12.0], rows = 2, gap = 0.01 }
+            [[balls]]
+            id = "cue"
+            position = [5.0, 5.0]
+            velocity = [0.0, 2.0]
+            spin = [1.0, 0.0, 3.0]
+            [[balls]]
+            id = "heavy"
+            position = [5.0, 8.0]
+            radius = 0.3
+            mass = 0.2
+            [effects.cloth.translational]
+            mu = 0.2
+            [effects.contact.elastic]
+            [effects.cushion.restitution]
+            e = 0.8
+        "#;
+        // the ball that rests says so in one and not in the other: that is all the same
+        assert_eq!(built, parse("shot.toml", written).unwrap());
+    }
+
+    #[test]
+    fn what_no_file_may_say_is_not_built() {
+        let two = Scene::builder("two", 1.0).balls_of(0.1, 1.0);
+        let two = two.resting("a", [0.0, 0.0]).resting("b", [0.15, 0.0]);
+        let error = two.elastic().build().unwrap_err().to_string();
+        assert!(error.contains("overlap"), "{error}");
+        let error = Scene::builder("none", 1.0).build().unwrap_err().to_string();
+        assert!(error.contains("a scene must have a ball"), "{error}");
     }
 }

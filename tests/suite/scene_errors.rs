@@ -69,6 +69,7 @@ const CASES: &[Case] = &[
     case(Kind::UnknownKey, "a law that does not exist", "[effects.cushion.elastic]", "[effects.cushion.rubber]", (19, 18)),
     case(Kind::UnknownKey, "a number given to a law that has none", "[effects.cushion.elastic]", "[effects.cushion.elastic]\ne = 0.9", (20, 1)),
     case(Kind::WrongType, "text for a number", "duration = 5.0", "duration = \"5 s\"", (2, 12)),
+    case(Kind::WrongType, "another unit of time", "duration = 5.0", "duration = 5.0\nunits = { time = \"ms\" }", (3, 18)),
     case(Kind::WrongType, "a number for text", "id = \"cue\"", "id = 7", (11, 6)),
     case(Kind::WrongType, "three coordinates", "position = [5.0, 5.0]", "position = [5.0, 5.0, 0.25]", (12, 12)),
     case(Kind::WrongType, "text for a coordinate", "position = [5.0, 5.0]", "position = [5.0, \"five\"]", (12, 18)),

@@ -76,14 +76,14 @@ pub fn check(arguments: &CheckArguments, roster: &Roster) -> Result<ExitCode, Fa
     drop(progress);
     let held = Held::new(outcome, before, unread);
     write(&held, arguments, &place)?;
-    let listed = arguments.format == "text";
+    let listed = arguments.format.is_cut;
     let mut shown = document(&held, &place, summary, accepted::MOST_CHANGES, listed);
     if arguments.verbose {
         shown.blocks.push(Block::Table(bounds()));
     }
     let printed = publish(
         &shown,
-        &arguments.format,
+        arguments.format,
         || document(&held, &place, page, usize::MAX, false),
         arguments.out.as_deref(),
     )?;

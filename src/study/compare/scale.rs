@@ -13,6 +13,19 @@ pub enum LengthUnit {
     Scene,
 }
 
+impl LengthUnit {
+    /// Every unit.
+    pub const ALL: [LengthUnit; 2] = [LengthUnit::Radius, LengthUnit::Scene];
+
+    /// Word of `--units`.
+    pub fn id(self) -> &'static str {
+        match self {
+            LengthUnit::Radius => "R",
+            LengthUnit::Scene => "scene",
+        }
+    }
+}
+
 /// How lengths are printed: a factor from R, and the unit's name.
 pub struct Scale {
     /// Length in this unit of one R.

@@ -269,3 +269,22 @@ fn findings_of_it_bear_its_label() {
     let own = |finding: &&Finding| finding.engine == ID;
     assert!(outcome.of_scene("slide").filter(own).count() > 5);
 }
+
+#[test]
+fn programs_that_use_the_library_are_under_forty_lines() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("validation/examples");
+    let manifest = include_str!("../../../Cargo.toml");
+    let mut programs = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let lines = std::fs::read_to_string(&path).unwrap().lines().count();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        assert!(lines < 40, "{name}: {lines} lines");
+        assert!(
+            manifest.contains(&format!("path = \"validation/examples/{name}\"")),
+            "{name}"
+        );
+        programs += 1;
+    }
+    assert_eq!(programs, 3);
+}
