@@ -7,7 +7,7 @@ use super::predict::Encounter;
 use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::{Body, Contact, Cushion, Motion, Side, contact, cushion};
-use crate::trace::Ending;
+use crate::trace::{Ending, Spot};
 use nalgebra::Vector3;
 
 /// A velocity that an impact cancels down to this many ulps of what was cancelled is zero.
@@ -130,15 +130,9 @@ pub struct Impact<T, const N: usize> {
 }
 
 impl<T: Real> Impact<T, 2> {
-    /// Two balls meet now, by `law`. Errors: the ending of a run that this impact stops.
+    /// Two balls meet now, by `law`.
     #[inline(always)]
-    pub fn of_balls(
-        balls: &Kinematics<'_, T>,
-        law: Contact<T>,
-        a: usize,
-        b: usize,
-    ) -> Result<Self, Ending> {
-        let world = balls.world();
+    pub fn of_balls(balls: &Kinematics<'_, T>, law: Contact<T>, a: usize, b: usize) -> Self {
         let (one, other) = (Arrival::of(balls, a), Arrival::of(balls, b));
         let x = other.position[0] - one.position[0];
         let y = other.position[1] - one.position[1];
@@ -146,55 +140,58 @@ impl<T: Real> Impact<T, 2> {
         let n = Vector3::new(x / apart, y / apart, T::zero());
         let closing = (one.velocity[0] - other.velocity[0]) * n.x
             + (one.velocity[1] - other.velocity[1]) * n.y;
-        if closing <= world.blur.speed {
-            return Err(Ending::Collapsed(balls.spot(
-                &[a, b],
-                "they are pressed together without closing in: impacts follow each other without end",
-            )));
-        }
         let (first, second) = (one.body(balls), other.body(balls));
         // balls that do not turn do not rub
-        let friction = world.friction.filter(|_| balls.rotates());
+        let friction = balls.world().friction.filter(|_| balls.rotates());
         let (motion, reaction) = contact::impact(law, friction, &first, &second, &n);
-        let sides = [
-            one.moved_by(balls, &motion),
-            other.moved_by(balls, &reaction),
-        ];
-        if !sides[0].is_finite() || !sides[1].is_finite() {
-            return Err(Ending::NotFinite(
-                balls.spot(&[a, b], "the impact left no finite velocity"),
-            ));
-        }
-        Ok(Impact {
+        Impact {
             encounter: Encounter::Pair(a, b),
-            sides,
+            sides: [
+                one.moved_by(balls, &motion),
+                other.moved_by(balls, &reaction),
+            ],
             closing,
-        })
+        }
     }
 }
 
 impl<T: Real> Impact<T, 1> {
-    /// A ball meets a cushion now, by `law`. Errors: the ending of a run that this impact stops.
+    /// A ball meets a cushion now, by `law`.
     #[inline(always)]
-    pub fn on_cushion(
-        balls: &Kinematics<'_, T>,
-        law: Cushion<T>,
-        a: usize,
-        edge: Side,
-    ) -> Result<Self, Ending> {
+    pub fn on_cushion(balls: &Kinematics<'_, T>, law: Cushion<T>, a: usize, edge: Side) -> Self {
         let one = Arrival::of(balls, a);
         let motion = cushion::impact(law, &one.body(balls), edge).motion;
-        let side = one.moved_by(balls, &motion);
-        if !side.is_finite() {
-            return Err(Ending::NotFinite(
-                balls.spot(&[a], "the cushion left no finite velocity"),
-            ));
-        }
-        Ok(Impact {
+        Impact {
             encounter: Encounter::Cushion(a, edge),
-            sides: [side],
+            sides: [one.moved_by(balls, &motion)],
             closing: one.velocity[edge.axis()].abs(),
-        })
+        }
+    }
+}
+
+impl<T: Real, const N: usize> Impact<T, N> {
+    /// The ending of a run that this impact stops: its balls do not close in, or the law leaves no numbers.
+    #[inline]
+    pub fn fault(&self, balls: &Kinematics<'_, T>) -> Option<Ending> {
+        let is_pair = matches!(self.encounter, Encounter::Pair(..));
+        if is_pair && self.closing <= balls.world().blur.speed {
+            let why = "they are pressed together without closing in: impacts follow each other without end";
+            return Some(Ending::Collapsed(self.spot(balls, why)));
+        }
+        if self.sides.iter().all(ImpactSide::is_finite) {
+            return None;
+        }
+        let why = if is_pair {
+            "the impact left no finite velocity"
+        } else {
+            "the cushion left no finite velocity"
+        };
+        Some(Ending::NotFinite(self.spot(balls, why)))
+    }
+
+    #[cold]
+    fn spot(&self, balls: &Kinematics<'_, T>, why: &str) -> Spot {
+        balls.spot(&self.sides.each_ref().map(|side| side.ball), why)
     }
 }
 

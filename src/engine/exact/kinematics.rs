@@ -6,7 +6,7 @@
 //! then set off.
 
 use super::flight::{Flight, Phase};
-use super::spin::{Moving, Spin};
+use super::spin::{Moving, Rotation, Spin};
 use super::world::World;
 use crate::math::{Real, Vec3};
 use crate::physics::State;
@@ -180,13 +180,18 @@ impl<'a, T: Real> Kinematics<'a, T> {
                 ),
                 spin: None,
             },
-            Some(rotation) => {
-                let (flight, spin) = rotation.depart(self.world.radius[ball], self.now, moving);
-                Course {
-                    flight,
-                    spin: Some(spin),
-                }
-            }
+            Some(rotation) => self.turning(rotation, ball, moving),
+        }
+    }
+
+    /// The same of a ball that turns, kept out of the code of those that do not.
+    #[cold]
+    #[inline(never)]
+    fn turning(&self, rotation: &Rotation<T>, ball: usize, moving: Moving<T>) -> Course<T> {
+        let (flight, spin) = rotation.depart(self.world.radius[ball], self.now, moving);
+        Course {
+            flight,
+            spin: Some(spin),
         }
     }
 

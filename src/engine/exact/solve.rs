@@ -209,27 +209,24 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
         let law = self.balls.world().contact?;
-        match Impact::of_balls(&self.balls, law, a, b) {
-            Ok(impact) => self.impact(&impact),
-            Err(ending) => Some(ending),
-        }
+        let impact = Impact::of_balls(&self.balls, law, a, b);
+        self.impact(&impact)
     }
 
     /// A ball meets a cushion.
     #[inline(never)]
     fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
         let law = self.balls.world().cushion?;
-        match Impact::on_cushion(&self.balls, law, a, side) {
-            Ok(impact) => self.impact(&impact),
-            Err(ending) => Some(ending),
-        }
+        let impact = Impact::on_cushion(&self.balls, law, a, side);
+        self.impact(&impact)
     }
 
     /// Applies an impact, unless others at this instant have a say in it.
-    #[inline]
+    #[inline(always)]
     fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
         let sides = &impact.sides;
-        if let Some(ending) = self.streak(sides) {
+        let fault = impact.fault(&self.balls);
+        if let Some(ending) = fault.or_else(|| self.streak(sides)) {
             return Some(ending);
         }
         let world = self.balls.world();
