@@ -1,9 +1,12 @@
 //! A scene made by a program, so that it reads like physics: what a file would say, one call after another.
 
 use super::file::{BallFile, RackFile, SceneFile, TableFile};
+use super::located::Located;
+use super::resolve::whatever;
 use super::{Scene, SceneError, Simultaneous, parse};
 use crate::math::angle::unit_vector;
 use crate::physics::{Cloth, Contact, Cushion, Effects, Friction};
+use toml::de::DeTable;
 
 /// A scene in the making: an unbounded plane without gravity or effects, until it is told otherwise.
 ///
@@ -159,6 +162,13 @@ impl SceneBuilder {
     pub fn to_duration(mut self) -> Self {
         self.0.run_to_duration = true;
         self
+    }
+
+    /// The scene, whatever is wrong with it: for tests of what engines do with scenes that no file may say. A ball without radius or mass
+    /// is none.
+    pub fn unchecked(&self) -> Scene {
+        let nowhere = Located::whole("", DeTable::new());
+        whatever(self.0.clone(), &nowhere).0
     }
 
     /// The scene. Errors: what is wrong with it, as in a file, with the text that says so.

@@ -14,6 +14,16 @@ use crate::physics::State;
 
 /// The scene that `file` describes, or everything that is wrong with it.
 pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Problems> {
+    let (scene, problems) = whatever(file, at);
+    if problems.is_empty() {
+        Ok(scene)
+    } else {
+        Err(problems)
+    }
+}
+
+/// The scene that `file` describes, and everything that is wrong with it.
+pub(super) fn whatever(file: SceneFile, at: &Located<'_>) -> (Scene, Problems) {
     let mut problems = Problems::new();
     names::check(&file, at, &mut problems);
     laws::check(&file, at, &mut problems);
@@ -52,11 +62,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Proble
         try_settings: file.r#try,
     };
     geometry::check(&scene, &paths, at, &mut problems);
-    if problems.is_empty() {
-        Ok(scene)
-    } else {
-        Err(problems)
-    }
+    (scene, problems)
 }
 
 fn table_of(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) -> Option<Table> {

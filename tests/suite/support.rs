@@ -71,7 +71,7 @@ impl Scenario {
     }
 
     pub fn build(self) -> Scene {
-        self.0.build().unwrap_or_else(|error| panic!("{error}"))
+        self.0.unchecked()
     }
 }
 

@@ -24,7 +24,7 @@ pub use page::{Against, bounds, page, summary};
 pub use pair::between;
 pub use promises::Broken;
 pub use random::{RANDOM, RANDOM_SCENES, RANDOM_SEED, random_command, random_hash, random_plan};
-pub use written::{WRITTEN, ulp_of, unheld};
+pub use written::{WRITTEN, unheld};
 
 use super::Extent;
 use super::ensemble::Landing;

@@ -184,18 +184,6 @@ pub fn unheld(scene: &Scene, a: &Trace, b: &Trace, ulp: f64) -> Option<String> {
     })
 }
 
-/// Rounding of the scalar in which a trace was computed, as far as its file says: f64, unless engine or precision name f32.
-pub fn ulp_of(trace: &Trace) -> f64 {
-    let provenance = &trace.provenance;
-    let precision = provenance.parameters.get("precision");
-    let named = precision.and_then(|p| p.as_str()) == Some("f32");
-    if named || provenance.engine.ends_with("-f32") {
-        f64::from(f32::EPSILON)
-    } else {
-        f64::EPSILON
-    }
-}
-
 /// Unit of what is held here.
 fn unit_of(id: &str) -> &'static str {
     let own = WRITTEN.iter().find(|held| held.id == id);
