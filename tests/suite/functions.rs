@@ -83,7 +83,7 @@ fn is_branch(tokens: &[Token], at: usize) -> bool {
     match tokens[at].text.as_str() {
         "if" | "while" | "=>" => true,
         // not `for<'a>`, nor `impl A for B`
-        "for" => tokens.get(at + 1).is_some_and(|next| next.text != "<") && !(word && !verb),
+        "for" => tokens.get(at + 1).is_some_and(|next| next.text != "<") && (verb || !word),
         "else" => before != "}",
         "&&" | "||" | "?" => operand,
         _ => false,

@@ -222,7 +222,7 @@ pub fn bounds_in_words() -> String {
     format!(
         "A run that is expected to take more than {} s of a processor, other than a preset's own, is left to `--full`; one of more than {} s \
          is out of reach.",
-        MOST_TIME * 1e-9,
-        OUT_OF_REACH * 1e-9
+        MOST_TIME / 1e9,
+        OUT_OF_REACH / 1e9
     )
 }
