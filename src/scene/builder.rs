@@ -197,7 +197,11 @@ mod tests {
             .with_radius(0.3)
             .rack([5.0, 12.0], 2, 0.01)
             .table(10.0, 20.0, Cushion::Restitution { e: 0.8 })
-            .cloth(Cloth::Translational { mu: 0.2 })
+            .cloth(Cloth::Rotational {
+                mu_slide: 0.2,
+                mu_roll: 0.01,
+                mu_spin: 0.02,
+            })
             .elastic()
             .to_duration()
             .build()
@@ -220,8 +224,10 @@ mod tests {
             position = [5.0, 8.0]
             radius = 0.3
             mass = 0.2
-            [effects.cloth.translational]
-            mu = 0.2
+            [effects.cloth.rotational]
+            mu_slide = 0.2
+            mu_roll = 0.01
+            mu_spin = 0.02
             [effects.contact.elastic]
             [effects.cushion.restitution]
             e = 0.8
