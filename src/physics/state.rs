@@ -144,3 +144,23 @@ impl RelativeEq for State {
             && near(&self.spin, &other.spin)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::State;
+    use approx::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq, assert_relative_ne};
+    use nalgebra::Vector3;
+
+    #[test]
+    fn states_are_as_near_as_their_farthest_coordinates() {
+        let here = State::at_rest(Vector3::new(1.0, 2.0, 0.5));
+        let mut spins = here;
+        spins.spin.z = 1e-6;
+        assert_abs_diff_eq!(here, spins, epsilon = 1e-5);
+        assert_abs_diff_ne!(here, spins, epsilon = 1e-7);
+        let mut moved = here;
+        moved.position.y *= 1.0 + 1e-9;
+        assert_relative_eq!(here, moved, max_relative = 1e-8);
+        assert_relative_ne!(here, moved, max_relative = 1e-10);
+    }
+}
