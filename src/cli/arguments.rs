@@ -12,7 +12,6 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
-use std::sync::LazyLock;
 
 /// Cross-validates rigid-body engines: one billiards scene, several engines, and where, when and why they part.
 ///
@@ -76,7 +75,7 @@ pub enum Command {
     Engines {
         /// How to print it.
         #[arg(long, value_parser = formats(), default_value = "text")]
-        format: &'static Format,
+        format: Format,
     },
     /// List, show and check scenes.
     Scene {
@@ -85,7 +84,7 @@ pub enum Command {
         command: SceneCommand,
         /// How to print the list.
         #[arg(long, global = true, value_parser = formats(), default_value = "text")]
-        format: &'static Format,
+        format: Format,
     },
     /// Print a completion script for a shell.
     Completions {
@@ -116,7 +115,7 @@ pub struct RunArguments {
     pub max_events: u64,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom compare`.
@@ -133,7 +132,7 @@ pub struct CompareArguments {
     pub units: LengthUnit,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom ensemble`.
@@ -166,7 +165,7 @@ pub struct EnsembleArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom report`.
@@ -182,7 +181,7 @@ pub struct ReportArguments {
     pub engines: Option<String>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom cost`.
@@ -201,7 +200,7 @@ pub struct CostArguments {
     pub out: PathBuf,
     /// How to print it; other formats than text have every setting.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom horizon`.
@@ -217,7 +216,7 @@ pub struct HorizonArguments {
     pub out: Option<PathBuf>,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom effects`.
@@ -241,7 +240,7 @@ pub struct EffectsArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom play`.
@@ -287,7 +286,7 @@ pub struct FuzzArguments {
     pub save: Option<PathBuf>,
     /// How to print it.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom check`.
@@ -323,7 +322,7 @@ pub struct CheckArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom diff`.
@@ -340,7 +339,7 @@ pub struct DiffArguments {
     pub scene: Option<String>,
     /// How to print what differs.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Arguments of `carom stability`.
@@ -369,7 +368,7 @@ pub struct StabilityArguments {
     pub out: Option<PathBuf>,
     /// How to print the summary.
     #[arg(long, value_parser = formats(), default_value = "text")]
-    pub format: &'static Format,
+    pub format: Format,
 }
 
 /// Where a report goes unless told otherwise.
@@ -381,7 +380,7 @@ impl Default for ReportArguments {
             scenes: Vec::new(),
             out: PathBuf::from(DEFAULT_FOLDER),
             engines: None,
-            format: &FORMATS[0],
+            format: FORMATS[0],
         }
     }
 }
@@ -395,10 +394,8 @@ fn choice<T: Clone + Send + Sync + 'static>(
     PossibleValuesParser::new(all.iter().map(id)).map(move |word| find(word).clone())
 }
 
-fn formats() -> impl TypedValueParser<Value = &'static Format> {
-    const EVERY: fn(&&'static Format) -> &'static str = |format| format.id;
-    static ALL: LazyLock<Vec<&'static Format>> = LazyLock::new(|| FORMATS.iter().collect());
-    choice(ALL.as_slice(), EVERY)
+fn formats() -> impl TypedValueParser<Value = Format> {
+    choice(FORMATS, |format| format.id)
 }
 
 fn units() -> impl TypedValueParser<Value = LengthUnit> {

@@ -20,7 +20,7 @@ pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode
     let max_events = Limits::NONE.max_events;
     let answer = Answer::to(&scene, &columns, Timing::Alone, max_events, watch)?;
     drop(progress);
-    terminal::show(&answer.summary(arguments.units), arguments.format)
+    terminal::show(&answer.summary(arguments.units), &arguments.format)
 }
 
 /// The engines that were named, or the default ones; the exact engine first.

@@ -45,7 +45,7 @@ pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Fail
     }
     publish_with(
         &shown,
-        arguments.format,
+        &arguments.format,
         || cost::page(&outcome),
         Some(&folder),
         prices,

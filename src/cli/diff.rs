@@ -53,7 +53,7 @@ pub fn diff(arguments: &DiffArguments, roster: &Roster) -> Result<ExitCode, Fail
         blocks,
         pages: Vec::new(),
     };
-    let printed = publish(&document, arguments.format, || document.clone(), None)?;
+    let printed = publish(&document, &arguments.format, || document.clone(), None)?;
     Ok(if changes.is_empty() {
         printed
     } else {

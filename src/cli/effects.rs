@@ -40,7 +40,7 @@ pub fn effects(arguments: &EffectsArguments, roster: &Roster) -> Result<ExitCode
     drop(progress);
     publish(
         &summary,
-        arguments.format,
+        &arguments.format,
         || page,
         arguments.out.as_deref(),
     )

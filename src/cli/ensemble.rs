@@ -33,7 +33,7 @@ pub fn ensemble(arguments: &EnsembleArguments, roster: &Roster) -> Result<ExitCo
     })?;
     publish(
         &summary(&outcome),
-        arguments.format,
+        &arguments.format,
         || page(&outcome),
         arguments.out.as_deref(),
     )

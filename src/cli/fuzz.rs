@@ -39,7 +39,7 @@ pub fn fuzz(arguments: &FuzzArguments, roster: &Roster) -> Result<ExitCode, Fail
             .collect();
         output::write_at(folder, &files)?;
     }
-    let printed = publish(&document, arguments.format, || document.clone(), None)?;
+    let printed = publish(&document, &arguments.format, || document.clone(), None)?;
     // what was stopped says so first, whatever it had found
     Ok(if found && document.stopped_early.is_none() {
         Exit::NotMet.into()

@@ -13,7 +13,7 @@ pub fn horizon(arguments: &HorizonArguments) -> Result<ExitCode, Failure> {
         .map_err(|refusal| Failure::Message(format!("{}: {refusal}", scene.name)))?;
     publish(
         &document,
-        arguments.format,
+        &arguments.format,
         || document.clone(),
         arguments.out.as_deref(),
     )

@@ -188,8 +188,8 @@ fn dispatch(command: Option<Command>, roster: &Roster) -> Result<ExitCode, Failu
         Some(Command::Check(arguments)) => check::check(&arguments, roster),
         Some(Command::Diff(arguments)) => diff::diff(&arguments, roster),
         Some(Command::Stability(arguments)) => stability::stability(&arguments, roster),
-        Some(Command::Engines { format }) => engines::engines(format, roster),
-        Some(Command::Scene { command, format }) => scene::scene(&command, format),
+        Some(Command::Engines { format }) => engines::engines(&format, roster),
+        Some(Command::Scene { command, format }) => scene::scene(&command, &format),
         Some(Command::Completions { shell }) => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut script);

@@ -40,7 +40,7 @@ pub fn report(arguments: &ReportArguments, roster: &Roster) -> Result<ExitCode, 
         stopped_early: site.stopped_early.clone(),
         ..shown
     };
-    let printed = terminal::show(&shown, arguments.format);
+    let printed = terminal::show(&shown, &arguments.format);
     if !site.files.is_empty() {
         terminal::say(&format!(
             "Report: {}",

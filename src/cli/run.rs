@@ -33,7 +33,7 @@ pub fn run(arguments: &RunArguments, roster: &Roster) -> Result<ExitCode, Failur
     let written = files::write(&trace).map_err(|error| Failure::Message(error.to_string()))?;
     output::write_files(&arguments.out, written.named())?;
     let document = summary(&trace, &scene);
-    let printed = terminal::show(&document, arguments.format);
+    let printed = terminal::show(&document, &arguments.format);
     terminal::say(&format!("Trace: {}", arguments.out.display()));
     printed
 }

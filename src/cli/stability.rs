@@ -44,7 +44,7 @@ pub fn stability(arguments: &StabilityArguments, roster: &Roster) -> Result<Exit
     let held = Held::new(outcome, before, unread, arguments, place);
     let printed = publish(
         &held.document(summary, accepted::MOST_CHANGES),
-        arguments.format,
+        &arguments.format,
         || held.document(page, usize::MAX),
         arguments.out.as_deref(),
     )?;

@@ -47,11 +47,6 @@ impl Roster {
         let ids: Vec<&str> = self.engines.iter().map(|engine| engine.id()).collect();
         ids.join(", ")
     }
-
-    /// The engine that others are held against: the first that solves for its events.
-    pub fn reference(&self) -> Option<&Arc<dyn Engine>> {
-        self.engines.iter().find(|engine| engine.solves())
-    }
 }
 
 impl<'a> IntoIterator for &'a Roster {

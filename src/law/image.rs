@@ -19,18 +19,10 @@ pub struct Image {
 
 /// How far apart the ends of a run and of its image may be, R.
 ///
-/// `rounding`: what rounding has grown to by the end, R ([`rounding`] times the growth of the run, over R). `stepping`: what steps make of a
+/// `rounding`: what rounding has grown to by the end, R ([`crate::oracle::rounding`] times the growth of the run, over R). `stepping`: what steps make of a
 /// run, R; each of the two is off by as much. Where more than a radius would be explained nothing is.
 pub fn bound(rounding: f64, stepping: f64) -> f64 {
     rounding.max(2.0 * stepping).min(1.0)
-}
-
-/// What rounding makes of a position in a run, before it grows, length.
-///
-/// Each of `operations` (steps and collisions, one more for the start) rounds positions and velocities once: `ulp` of the largest coordinate
-/// and of the longest way, `fastest` (length/s) times `time` (s).
-pub fn rounding(scene: &Scene, operations: f64, ulp: f64, fastest: f64, time: f64) -> f64 {
-    operations * ulp * (scene.largest_coordinate() + fastest * time)
 }
 
 /// Largest distance of a ball's end from where its image ends, R, for an image that lists the balls in the same order. `back`: from a

@@ -1,6 +1,4 @@
-//! A run that is held, and what its trace says of the scheme that made it.
-//!
-//! The only place of this room where the work counters of a trace are read: what they are called is an engine's own affair.
+//! A run that is held, and what its trace says of the scheme that made it. The only place of this room where work counters are read.
 
 use crate::math::worse;
 use crate::scene::Scene;
@@ -64,18 +62,15 @@ impl<'a> Run<'a> {
         if !self.events {
             return self.scene.fastest();
         }
-        (0..self.trace.paths.len())
-            .map(|ball| self.fastest_of(ball))
-            .fold(0.0, worse)
+        self.trace.fastest()
     }
 
-    /// The same of one ball. Between knots a velocity is linear in time, so that its size is largest at one of them.
+    /// The same of one ball.
     fn fastest_of(&self, ball: usize) -> f64 {
         if !self.events {
             return self.scene.fastest();
         }
-        let knots = &self.trace.paths[ball].knots;
-        knots.iter().map(|k| k.state.speed()).fold(0.0, worse)
+        self.trace.paths[ball].fastest()
     }
 
     /// What the position of a ball is good to up to `time`, s; length.

@@ -10,7 +10,6 @@ use super::horizon::{BAND, Horizon, Sight, horizon};
 use super::{Growth, Precision, engine, growth};
 use crate::engine::Limits;
 use crate::engine::exact::solve;
-use crate::math::worse;
 use crate::scene::{Scene, Simultaneous};
 use crate::trace::{Ending, Trace};
 
@@ -54,7 +53,7 @@ impl Oracle {
             certain: (certain, found.sights.len()),
             grown: factor(scene, &found.trace, found.growth.as_ref()),
             handed_on: handed_on(scene, &found.trace, limits),
-            fastest: fastest(&found.trace),
+            fastest: found.trace.fastest(),
             trace: found.trace,
         })
     }
@@ -78,10 +77,10 @@ impl Oracle {
     pub fn allowance(&self, scene: &Scene, allowance: &Allowance, collisions: usize) -> f64 {
         let handed_on: f64 = self.handed_on.iter().take(collisions).sum();
         let n = collisions.min(self.handed_on.len()) as f64 + 1.0;
-        let path = self.fastest * self.trace.end_time.min(scene.duration);
         let stepping = 2.0 * self.fastest * allowance.dt * (1.0 + handed_on);
-        let rounding =
-            (allowance.steps as f64 + n) * allowance.ulp * (scene.largest_coordinate() + path);
+        let time = self.trace.end_time.min(scene.duration);
+        let operations = allowance.steps as f64 + n;
+        let rounding = rounding(scene, operations, allowance.ulp, self.fastest, time);
         stepping + rounding * self.grown
     }
 }
@@ -148,8 +147,10 @@ pub struct Allowance {
     pub ulp: f64,
 }
 
-/// Largest speed of any ball at any knot, length/s.
-pub fn fastest(trace: &Trace) -> f64 {
-    let knots = trace.paths.iter().flat_map(|path| &path.knots);
-    knots.map(|knot| knot.state.speed()).fold(0.0, worse)
+/// What rounding makes of a position in a run, before it grows, length.
+///
+/// Each of `operations` (steps and collisions, one more for the start) rounds positions and velocities once: `ulp` of the largest coordinate
+/// and of the longest way, `fastest` (length/s) times `time` (s).
+pub fn rounding(scene: &Scene, operations: f64, ulp: f64, fastest: f64, time: f64) -> f64 {
+    operations * ulp * (scene.largest_coordinate() + fastest * time)
 }

@@ -14,7 +14,7 @@ mod horizon;
 pub use crate::engine::exact::Precision;
 pub use crate::engine::exact::sensitivity::{Growth, Influence, Input, growth, influences};
 pub use absence::{Absence, NOTHING, answer};
-pub use answer::{Allowance, Oracle, fastest};
+pub use answer::{Allowance, Oracle, rounding};
 pub use horizon::{BAND, Horizon, Limit, MOST_BALLS, Sight, believed_until, horizon};
 
 use crate::engine::exact::Exact;

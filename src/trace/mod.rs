@@ -167,6 +167,11 @@ impl Ending {
 }
 
 impl Trace {
+    /// Largest speed of any ball at any knot, length/s.
+    pub fn fastest(&self) -> f64 {
+        self.paths.iter().map(Path::fastest).fold(0.0, worse)
+    }
+
     /// Last state of every ball, in scene order; `None` for a pocketed ball, which is no longer on the table.
     pub fn final_states(&self) -> Vec<Option<State>> {
         let mut last: Vec<Option<State>> = self.paths.iter().map(Path::last).collect();

@@ -41,6 +41,12 @@ impl Path {
         }
     }
 
+    /// Largest speed at a knot, length/s. Between knots a velocity is linear in time, so that its size is largest at one of them.
+    pub fn fastest(&self) -> f64 {
+        let speeds = self.knots.iter().map(|knot| knot.state.speed());
+        speeds.fold(0.0, worse)
+    }
+
     /// Last state of the path: where the ball stayed, or where it left play.
     pub fn last(&self) -> Option<State> {
         self.knots.last().map(|knot| knot.state)

@@ -2,9 +2,6 @@
 
 use carom::study::Watch;
 use carom::study::claims::{Claim, audit, page};
-use std::sync::atomic::AtomicBool;
-
-static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn number(claims: &[Claim], id: &str, what: &str) -> f64 {
     let claim = claims
@@ -18,10 +15,7 @@ fn number(claims: &[Claim], id: &str, what: &str) -> f64 {
 
 #[test]
 fn every_claim_is_computed_and_agrees_with_the_known_findings() {
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     let claims = audit(crate::support::roster(), watch).unwrap();
     // half a unit in the last digit that the specification of the report's model gives
     for (id, what, known, tolerance) in [

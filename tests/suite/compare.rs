@@ -11,9 +11,6 @@ use carom::scene::{Scene, catalogue};
 use carom::study::compare::{Cause, ComparisonOutcome, default_columns, plan, study};
 use carom::study::{Configuration, Timing, Watch};
 use carom::trace::{EventKind, Record, Trace};
-use std::sync::atomic::AtomicBool;
-
-static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn exact(scene: &Scene) -> Trace {
     run("exact", &[], scene, Record::Events)
@@ -25,10 +22,7 @@ fn compared(scene: &Scene, columns: &[(&str, &str)]) -> ComparisonOutcome {
         setting: Setting::parse(setting.split_whitespace()).unwrap(),
     };
     let columns: Vec<Configuration> = columns.iter().map(column).collect();
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     study(
         scene,
         None,
@@ -224,10 +218,7 @@ fn richer_scene_measures_what_the_poorer_one_leaves_out() {
         crate::support::roster(),
         &[Configuration::of(crate::support::find("stepper").unwrap())],
     );
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     let outcome = study(&scene, Some(&richer), &columns, Timing::None, watch);
     let distance = |mu: f64| 16.0 / (2.0 * mu * G);
     let model = outcome.entries[1]

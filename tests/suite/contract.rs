@@ -203,11 +203,7 @@ impl Case<'_> {
 
     /// Rounding of the engine's scalar.
     fn ulp(&self) -> f64 {
-        if self.engine.id().ends_with("f32") {
-            f64::from(f32::EPSILON)
-        } else {
-            f64::EPSILON
-        }
+        self.engine.ulp(self.setting)
     }
 
     /// The run as the bounds of `law` see it.
@@ -243,11 +239,15 @@ impl Case<'_> {
                 self.impact_energy(),
                 law::impact_energy::bound(scene.initial_energy(), self.ulp()),
             ),
-            Invariant::EnergyNeverGrows => self.within(
-                "energy gained",
-                self.energy_gained(),
-                law::energy::bound(&self.run()) * scene.initial_energy(),
-            ),
+            Invariant::EnergyNeverGrows => {
+                let energy = scene.initial_energy();
+                let once = 16.0 * self.ulp() * energy;
+                let events = trace.events.len() as f64 + 1.0;
+                let said = trace.extrema.energy_gained.value;
+                self.within("energy gained by its own account", said, once * events)?;
+                let bound = law::energy::bound(&self.run()) * energy;
+                self.within("energy gained", self.energy_gained(), bound)
+            }
             Invariant::Bounds => self.bounds(),
             Invariant::Overlap => self.within(
                 "overlap by parry",
@@ -536,13 +536,10 @@ impl Case<'_> {
         worst
     }
 
-    /// Rounding once per event, times the growth measured above, and so much more for the directions that were not tried.
+    /// Rounding of coordinates of the size of the table, once per event, times the growth measured above and a factor of 100
+    /// for the directions that were not tried.
     fn rounding_grown(&self) -> f64 {
-        const UNTRIED: f64 = 8.0;
-        let (events, time) = (self.trace.events.len() as f64, self.trace.end_time);
-        let fastest = self.run().fastest();
-        let once = law::image::rounding(self.scene, events + 1.0, self.ulp(), fastest, time);
-        UNTRIED * once * self.growth()
+        100.0 * self.ulp() * HALF * (self.trace.events.len() as f64 + 1.0) * self.growth()
     }
 }
 

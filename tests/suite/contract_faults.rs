@@ -1,14 +1,14 @@
 //! The contract is one that can be broken: each promise on a trace with one thing planted in it.
 
 use crate::contract::{Case, HALF};
-use crate::support::{R, roster, run, scenario};
+use crate::support::{R, run, scenario};
 use carom::engine::Setting;
-use carom::law;
 use carom::math::Vec3;
 use carom::physics::State;
 use carom::physics::invariants::Invariant;
 use carom::scene::{Scene, Table};
 use carom::trace::{Ending, Event, EventKind, Record, Trace};
+use carom::{law, oracle};
 use std::collections::BTreeSet;
 
 /// A fault in a trace, which its extrema keep silent about.
@@ -82,7 +82,7 @@ fn each_promise_is_seen_to_be_broken_whatever_the_engine_says_of_itself() {
     };
     let stops = table(shot("stops").cloth(0.2).cushions(1.0, 1.0).build());
     let lossless = table(shot("lossless").duration(1.5).cushions(1.0, 1.0).build());
-    let engine = roster().reference().unwrap();
+    let engine = oracle::engine();
     let setting = Setting::default();
     for (invariant, plant) in plants {
         let reverses = invariant == Invariant::TimeReversal;

@@ -13,15 +13,6 @@ use carom::study::{Configuration, Watch};
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
-}
-
 fn of(engines: &[&str], scene: &Scene) -> CostOutcome {
     let column = |id: &&str| Configuration::of(crate::support::find(id).unwrap());
     let named: Vec<Configuration> = engines.iter().map(column).collect();
@@ -30,7 +21,7 @@ fn of(engines: &[&str], scene: &Scene) -> CostOutcome {
         scene,
         &named,
         Grid::Small,
-        watch(),
+        Watch::NONE,
     )
 }
 
@@ -345,7 +336,7 @@ fn a_given_setting_holds_at_every_level() {
         &scene,
         &named,
         Grid::Small,
-        watch(),
+        Watch::NONE,
     );
     let points: Vec<_> = outcome.families.iter().flat_map(|m| &m.points).collect();
     assert!(points.len() > 5);

@@ -13,8 +13,6 @@ use carom::study::{Configuration, Watch, curves};
 use std::process::Output;
 use std::sync::atomic::AtomicBool;
 
-static NEVER: AtomicBool = AtomicBool::new(false);
-
 const LADDER: [&str; 7] = [
     "ladder-report",
     "ladder-rotation",
@@ -28,20 +26,13 @@ const LADDER: [&str; 7] = [
 /// How far an effect may move a ball before the shot needs it, R.
 const THRESHOLD: f64 = 0.1;
 
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
-}
-
 fn columns(engines: &[&str]) -> Vec<Configuration> {
     let column = |id: &&str| Configuration::of(crate::support::find(id).unwrap());
     engines.iter().map(column).collect()
 }
 
 fn ablation(scene: &Scene) -> EffectsOutcome {
-    study(scene, &columns(&["exact"]), THRESHOLD, watch()).unwrap()
+    study(scene, &columns(&["exact"]), THRESHOLD, Watch::NONE).unwrap()
 }
 
 fn scene(name: &str) -> Scene {
@@ -331,7 +322,7 @@ fn pockets_are_needed_by_who_falls_and_costs_are_sorted() {
     );
     // whatever the threshold, a ball that does not fall is a change
     let columns = columns(&["exact"]);
-    let lenient = study(&scene("ladder-pockets"), &columns, 1e9, watch()).unwrap();
+    let lenient = study(&scene("ladder-pockets"), &columns, 1e9, Watch::NONE).unwrap();
     assert_eq!(verdict(&lenient, Optional::Pockets), Verdict::Needed);
     assert_eq!(verdict(&lenient, Optional::Throw), Verdict::NotNeeded);
 }
@@ -358,7 +349,7 @@ fn a_scene_without_an_end_is_said_to_have_none() {
     );
     // where the exact engine has none, the first that has one stands in
     let both = columns(&["exact", "stepper"]);
-    let outcome = study(&scene("triple-hit"), &both, THRESHOLD, watch()).unwrap();
+    let outcome = study(&scene("triple-hit"), &both, THRESHOLD, Watch::NONE).unwrap();
     assert_eq!(outcome.reference, Some(1));
     let document = summary(&outcome);
     let engines = table(&document, "engines");
@@ -376,7 +367,7 @@ fn refusals_are_counted() {
         engine: crate::support::find("stepper").unwrap().clone(),
         setting: Setting::default().with("dt", 0.0),
     });
-    let outcome = study(&scene("draw"), &columns, THRESHOLD, watch()).unwrap();
+    let outcome = study(&scene("draw"), &columns, THRESHOLD, Watch::NONE).unwrap();
     let document = summary(&outcome);
     let engines = table(&document, "engines");
     let all = outcome.plan.rows.len();
@@ -466,7 +457,7 @@ fn what_leaving_an_effect_out_costs_is_drawn_as_the_table_has_it() {
 
 #[test]
 fn engines_follow_the_curves_of_throw_squirt_and_rebound() {
-    let document = curves::study(&columns(&["exact"]), watch()).unwrap();
+    let document = curves::study(&columns(&["exact"]), Watch::NONE).unwrap();
     let departures = table(&document, "departures");
     let largest = |words: [&str; 3], unit: &str| -> (u64, f64) {
         let is_it = |row: &&Vec<Cell>| {
@@ -630,7 +621,7 @@ fn a_comparison_of_a_rung_shows_what_the_next_one_adds() {
         Some(&next),
         &columns,
         carom::study::Timing::None,
-        watch(),
+        Watch::NONE,
     );
     let exact = crate::support::find("exact").unwrap();
     let run = |scene: &Scene| {

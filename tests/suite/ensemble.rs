@@ -18,15 +18,6 @@ use serde_json::Value;
 use std::process::Output;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
-}
-
 fn columns(engines: &[(&str, &str)]) -> Vec<Configuration> {
     let column = |&(engine, setting): &(&str, &str)| Configuration {
         engine: crate::support::find(engine).unwrap().clone(),
@@ -46,7 +37,7 @@ fn plan(scene: &Scene, samples: usize, engines: &[(&str, &str)]) -> Plan {
 }
 
 fn ensemble(scene: &Scene, samples: usize, engines: &[(&str, &str)]) -> EnsembleOutcome {
-    study(plan(scene, samples, engines), watch()).unwrap()
+    study(plan(scene, samples, engines), Watch::NONE).unwrap()
 }
 
 /// Final position of a ball in every complete sample.
@@ -113,7 +104,7 @@ fn more_samples_begin_with_those_that_were_there() {
     assert_eq!(few.entries[0].cells, many.entries[0].cells[..10]);
     let mut other = plan(&scene, 10, &engines);
     other.seed = 2;
-    let other = study(other, watch()).unwrap();
+    let other = study(other, Watch::NONE).unwrap();
     assert_ne!(few.entries[0].cells, other.entries[0].cells);
 }
 
@@ -222,7 +213,7 @@ fn a_central_break_of_a_frozen_rack_is_mirror_symmetric_in_distribution() {
         gap: 1e-5,
         ..Law::default()
     };
-    let outcome = study(plan, watch()).unwrap();
+    let outcome = study(plan, Watch::NONE).unwrap();
     let entry = &outcome.entries[0];
     assert!(entry.complete().count() > 200);
     for row in 0..5 {
@@ -254,7 +245,7 @@ fn where_the_balls_of_a_frozen_break_end_does_not_depend_on_the_size_of_small_ga
     let places = |gap: f64, seed: u64| -> Vec<Distribution> {
         let mut plan = plan(&scene, 500, &[("exact", "")]);
         (plan.law.gap, plan.seed) = (gap, seed);
-        let entry = study(plan, watch()).unwrap().entries.remove(0);
+        let entry = study(plan, Watch::NONE).unwrap().entries.remove(0);
         let mut places = Vec::new();
         for i in 0..scene.balls.len() {
             for axis in 0..2 {
@@ -321,7 +312,7 @@ fn runs_that_do_not_reach_the_end_are_counted_by_their_ending_and_refusals_by_th
         aim: 0.1,
         ..Law::default()
     };
-    let outcome = study(plan, watch()).unwrap();
+    let outcome = study(plan, Watch::NONE).unwrap();
     assert_eq!(outcome.entries[0].complete().count(), 0);
     let document = summary(&outcome);
     assert!(
@@ -350,7 +341,7 @@ fn where_exact_has_no_answer_the_next_engine_stands_in_its_place() {
         aim: 0.1,
         ..Law::default()
     };
-    let outcome = study(plan, watch()).unwrap();
+    let outcome = study(plan, Watch::NONE).unwrap();
     assert_eq!(outcome.reference, Some(1));
     let agreements: Vec<bool> = outcome
         .entries
@@ -444,9 +435,9 @@ fn a_comparison_shows_the_ensemble_where_the_scene_asks_for_one_and_nowhere_else
             crate::support::roster(),
             &columns(&[("stepper", "dt=1e-2")]),
         );
-        let outcome = compare::study(&scene, None, &columns, Timing::None, watch());
+        let outcome = compare::study(&scene, None, &columns, Timing::None, Watch::NONE);
         let mut document = compare::summary(&outcome, compare::LengthUnit::Radius);
-        let (blocks, _) = surroundings(&outcome, watch());
+        let (blocks, _) = surroundings(&outcome, Watch::NONE);
         let count = blocks.len();
         surround(&mut document, blocks);
         (document, count)

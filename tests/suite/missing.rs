@@ -86,17 +86,18 @@ fn shot(id: &str) -> Shot {
             ..first(scene, expected, 0.01 * V, no_contact)
         }
     };
-    // the ball that is hit goes off across by what a coefficient makes of the push, for it does not stick; rapier rubs for 0.39 of the push
-    // of an elastic hit, which shows that it rubs
+    // the ball that is hit goes off across by what a coefficient makes of the push, for it does not stick. The push is one without
+    // restitution: rapier rubs for the part of it that stops the approach, which is then the whole
     let rub = |law, spin: f64, mu: f64| {
         let mut scene = pair();
+        scene.effects.contact = Some(Contact::Inelastic { e: 0.0 });
         scene.effects.friction = Some(law);
         scene.balls[0].state.spin.z = spin;
-        let grips = R * spin / 7.0;
-        assert!(mu * V < 0.5 * grips, "it would stick");
+        let (grips, slides) = (R * spin / 7.0, mu * V / 2.0);
+        assert!(slides < 0.5 * grips, "it would stick");
         Shot {
             figure: |trace| velocity(trace, 1).y.abs(),
-            ..first(scene, mu * V, 0.7 * mu * V, no_friction)
+            ..first(scene, slides, 0.01 * slides, no_friction)
         }
     };
     // straight into x1

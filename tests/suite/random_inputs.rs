@@ -6,17 +6,11 @@ use carom::scene::{parse, rewritten};
 use carom::study::Watch;
 use carom::study::mutation::{Examples, Plan, Reader, engine_list, scene_file, study, trace_files};
 use carom::trace::files::Files;
-use std::sync::atomic::AtomicBool;
 
 const INPUTS: u64 = 100_000;
 
 #[test]
 fn a_hundred_thousand_damaged_inputs_are_read_or_refused_as_they_should_be() {
-    let never = AtomicBool::new(false);
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &never,
-    };
     let plan = Plan {
         first: 0,
         inputs: INPUTS,
@@ -25,7 +19,7 @@ fn a_hundred_thousand_damaged_inputs_are_read_or_refused_as_they_should_be() {
     let outcome = study(
         plan,
         &Examples::new(crate::support::roster()).unwrap(),
-        watch,
+        Watch::NONE,
     );
     assert_eq!(outcome.failures, [], "{} faults", outcome.faults);
     assert_eq!(outcome.done(), INPUTS);

@@ -83,7 +83,7 @@ pub fn check(arguments: &CheckArguments, roster: &Roster) -> Result<ExitCode, Fa
     }
     let printed = publish(
         &shown,
-        arguments.format,
+        &arguments.format,
         || document(&held, &place, page, usize::MAX, false),
         arguments.out.as_deref(),
     )?;

@@ -16,6 +16,7 @@ use super::random::caught;
 use crate::engine::{Knob, KnobRole, Limits, Roster, Setting};
 use crate::law::Fault;
 use crate::math::random::Draws;
+use crate::oracle;
 use crate::scene::adversarial::adversarial;
 use crate::scene::generate::Recipe;
 use crate::scene::{Scene, catalogue};
@@ -140,7 +141,8 @@ fn names(roster: &Roster) -> Vec<String> {
 
 /// The engines whose traces are examples: the reference, and the first that steps, with a step that leaves few knots.
 fn traced(roster: &Roster) -> Vec<Configuration> {
-    let reference = roster.reference().map(Configuration::of);
+    let reference = roster.find(oracle::engine().id());
+    let reference = reference.map(Configuration::of);
     let stepping = roster.iter().find_map(|engine| {
         let setting = engine.with_step(&Setting::default(), STEP)?;
         Some(Configuration::with(engine, setting))

@@ -371,7 +371,7 @@ pub fn rounding_grown(e: &Evidence<'_>) -> f64 {
     };
     let operations = e.allowance.steps as f64 + oracle.trace.collisions().count() as f64 + 1.0;
     let time = oracle.trace.end_time.min(e.scene.duration);
-    let rounding = image::rounding(e.scene, operations, e.allowance.ulp, oracle.fastest, time);
+    let rounding = oracle::rounding(e.scene, operations, e.allowance.ulp, oracle.fastest, time);
     rounding * oracle.grown / e.scene.smallest_radius()
 }
 

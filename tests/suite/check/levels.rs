@@ -16,14 +16,9 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-static NEVER: AtomicBool = AtomicBool::new(false);
-
 fn outcome(scenes: &[&str], columns: &[Configuration]) -> CheckOutcome {
     let named = scenes.iter().map(|name| catalogue::scene(name).unwrap());
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     study(
         crate::support::roster(),
         &named.collect::<Vec<_>>(),

@@ -6,7 +6,6 @@ use carom::scene::{Scene, SetName, catalogue};
 use carom::study::check::{self, CheckOutcome, Level, ORACLE};
 use carom::study::matrix::{Configuration, Watch};
 use std::collections::BTreeMap;
-use std::sync::atomic::AtomicBool;
 
 /// What differs, level by level: how many findings, and the first of them in words.
 pub type Caught = BTreeMap<Level, (usize, String)>;
@@ -23,11 +22,7 @@ pub fn gate_scenes(names: &[&str]) -> Vec<Scene> {
 
 /// Runs scenes in columns as `check` does, and so many of its random ones.
 fn study(scenes: &[Scene], columns: &[Configuration], random: u64) -> CheckOutcome {
-    static NEVER: AtomicBool = AtomicBool::new(false);
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     let mut outcome = check::study(crate::support::roster(), scenes, columns, watch).unwrap();
     if random > 0 {
         let plan = check::random_plan(columns, random);

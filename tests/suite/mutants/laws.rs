@@ -11,7 +11,6 @@ use carom::scene::Scene;
 use carom::study::matrix::{Configuration, Watch};
 use carom::study::random::{Failure, Plan, RandomOutcome, study};
 use std::collections::BTreeSet;
-use std::sync::atomic::AtomicBool;
 
 /// Enough for each law with numbers that show it.
 const SCENES: u64 = 400;
@@ -25,7 +24,6 @@ const STEPPER: &str = "stepper";
 type Mutant = (&'static str, Fault, &'static str, &'static str);
 
 fn outcome(engine: &str, fault: Fault, scenes: u64) -> RandomOutcome {
-    static NEVER: AtomicBool = AtomicBool::new(false);
     let rule = (engine == STEPPER).then_some("contact=approaching-only");
     let plan = Plan {
         first: 0,
@@ -37,10 +35,7 @@ fn outcome(engine: &str, fault: Fault, scenes: u64) -> RandomOutcome {
         }],
         max_events: 100,
     };
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     study(plan, watch)
 }
 

@@ -11,7 +11,6 @@ use carom::study::matrix::{Configuration, Watch};
 use carom::study::{check, stability};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 
 /// Cells that are altered of either kind.
 const CELLS: usize = 60;
@@ -63,7 +62,7 @@ fn sixty_cells_of_the_baselines_are_noticed_whatever_they_become() {
         crate::support::roster(),
         &scenes,
         &default_columns(crate::support::roster()),
-        watch(),
+        Watch::NONE,
     )
     .unwrap();
     let hold = |files: &[Accepted]| {
@@ -168,7 +167,7 @@ fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
             full: false,
             pictures: false,
         };
-        let outcome = stability::study(question, watch()).unwrap();
+        let outcome = stability::study(question, Watch::NONE).unwrap();
         let held = hold_cases(&outcome, 0, file, true);
         assert_eq!(held.changes, [], "{name}");
         assert!(!held.stale && held.contradictions.is_empty(), "{name}");
@@ -188,13 +187,4 @@ fn sixty_cells_of_the_hard_cases_are_noticed_whatever_they_become() {
         }
     }
     assert_eq!(altered_cells, CELLS);
-}
-
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
 }

@@ -20,13 +20,6 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 
 const ID: &str = "discs";
 
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
-}
-
 fn right() -> Roster {
     let discs = discs::along_the_motion();
     Roster::built_in().with(discs).unwrap()
@@ -73,7 +66,7 @@ fn it_is_compared_and_its_order_is_that_of_the_exact_engine() {
     assert!(columns.iter().any(|column| column.label() == ID));
     let named = [columns[0].clone(), column(&roster)];
     for name in ["head-on", "oblique"] {
-        let outcome = compare::study(&scene(name), None, &named, Timing::None, watch());
+        let outcome = compare::study(&scene(name), None, &named, Timing::None, Watch::NONE);
         let entry = &outcome.entries[1];
         let standing = entry.standing.as_ref().unwrap();
         assert!(
@@ -94,7 +87,7 @@ fn it_is_compared_and_its_order_is_that_of_the_exact_engine() {
 fn its_errors_fall_with_its_step() {
     let roster = right();
     let named = [column(&roster)];
-    let outcome = cost::study(&roster, &scene("oblique"), &named, Grid::Small, watch());
+    let outcome = cost::study(&roster, &scene("oblique"), &named, Grid::Small, Watch::NONE);
     assert_eq!(outcome.families.len(), 1);
     let family = &outcome.families[0];
     let verdict = family.verdict.as_ref().unwrap();
@@ -110,7 +103,7 @@ fn hard(roster: &Roster, names: &[&str]) -> stability::StabilityOutcome {
         full: false,
         pictures: false,
     };
-    stability::study(question, watch()).unwrap()
+    stability::study(question, Watch::NONE).unwrap()
 }
 
 fn verdict(outcome: &stability::StabilityOutcome, scene: usize, label: &str) -> Verdict {
@@ -157,7 +150,7 @@ fn friction_along_each_axis_is_found_out_by_the_diagonal_slides() {
 /// The gate's findings of the newcomer in some scenes.
 fn checked(roster: &Roster, names: &[&str]) -> check::CheckOutcome {
     let scenes: Vec<Scene> = names.iter().map(|name| scene(name)).collect();
-    check::study(roster, &scenes, &[column(roster)], watch()).unwrap()
+    check::study(roster, &scenes, &[column(roster)], Watch::NONE).unwrap()
 }
 
 #[test]
@@ -191,7 +184,7 @@ fn a_report_shows_it_and_says_what_it_is() {
     let roster = right();
     let columns = compare::plan(&roster, &[column(&roster)]);
     let scenes = [scene("head-on")];
-    let report = validation::study(&roster, &scenes, &columns, &[], watch()).unwrap();
+    let report = validation::study(&roster, &scenes, &columns, &[], Watch::NONE).unwrap();
     let pages = carom::report::site(&report);
     let (_, index) = pages.iter().find(|(name, _)| name == "index.html").unwrap();
     assert!(

@@ -7,7 +7,6 @@ mod thinning;
 use carom::scene::{Scene, catalogue};
 use carom::study::compare::{self, ComparisonOutcome};
 use carom::study::{Configuration, Timing, Watch};
-use std::sync::atomic::AtomicBool;
 
 /// A scene compared in the engines of a list, or in those of a report.
 fn compared(scene: &Scene, engines: Option<&str>) -> ComparisonOutcome {
@@ -19,12 +18,7 @@ fn compared(scene: &Scene, engines: Option<&str>) -> ComparisonOutcome {
         .iter()
         .map(|column| column.as_tried(scene))
         .collect();
-    let cancelled = AtomicBool::new(false);
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &cancelled,
-    };
-    compare::study(scene, None, &columns, Timing::None, watch)
+    compare::study(scene, None, &columns, Timing::None, Watch::NONE)
 }
 
 fn scene(name: &str) -> Scene {

@@ -14,13 +14,6 @@ use std::sync::atomic::AtomicBool;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-fn watch() -> Watch<'static> {
-    Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    }
-}
-
 /// Advance of the characters from space to tilde in DejaVu Sans 2.37, the widest face that a page asks for, thousandths of its size.
 const ADVANCE: [u16; 95] = [
     318, 401, 460, 838, 637, 951, 780, 275, 391, 391, 500, 838, 318, 361, 318, 337, 637, 637, 637,
@@ -164,7 +157,7 @@ fn drawn() -> Vec<Figure> {
         "pool-break",
     ] {
         let scene = catalogue::scene(name).unwrap();
-        let outcome = compare::study(&scene, None, &columns, Timing::None, watch());
+        let outcome = compare::study(&scene, None, &columns, Timing::None, Watch::NONE);
         figures(&compare::page(&outcome), &mut found);
     }
     for name in ["report-break", "discs-in-a-box"] {
@@ -173,9 +166,9 @@ fn drawn() -> Vec<Figure> {
         figures(&page, &mut found);
     }
     let scene = catalogue::scene("ladder-pockets").unwrap();
-    let outcome = effects::study(&scene, &columns, 0.1, watch()).unwrap();
+    let outcome = effects::study(&scene, &columns, 0.1, Watch::NONE).unwrap();
     figures(&effects::page(&outcome), &mut found);
-    figures(&curves::study(&columns, watch()).unwrap(), &mut found);
+    figures(&curves::study(&columns, Watch::NONE).unwrap(), &mut found);
     let names = ["thin-cut-1e-2", "report-break-frozen", "through-a-ball"];
     let question = stability::Question {
         roster: crate::support::roster().clone(),
@@ -184,7 +177,7 @@ fn drawn() -> Vec<Figure> {
         full: false,
         pictures: true,
     };
-    let outcome = stability::study(question, watch()).unwrap();
+    let outcome = stability::study(question, Watch::NONE).unwrap();
     figures(&stability::page(&outcome, &|_, _| false), &mut found);
     found
 }

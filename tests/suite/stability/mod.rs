@@ -11,9 +11,6 @@ use carom::study::stability::{Question, StabilityOutcome, study};
 use carom::study::{Configuration, stability};
 use carom::{engine, scene::catalogue};
 use std::collections::BTreeSet;
-use std::sync::atomic::AtomicBool;
-
-static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// Columns by their labels.
 fn columns(labels: &[&str]) -> Vec<Configuration> {
@@ -39,10 +36,7 @@ fn outcome(scenes: &[&str], presets: &[&str]) -> StabilityOutcome {
         full: false,
         pictures: false,
     };
-    let watch = Watch {
-        progress: &|_, _, _| {},
-        cancelled: &NEVER,
-    };
+    let watch = Watch::NONE;
     study(question, watch).unwrap()
 }
 

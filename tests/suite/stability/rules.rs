@@ -1,6 +1,6 @@
 //! Each rule on a trace with one thing planted in it, and each verdict reached.
 
-use super::{NEVER, outcome};
+use super::outcome;
 use crate::support::{R, run, scenario};
 use carom::compare::Comparison;
 use carom::engine::Limits;
@@ -446,7 +446,7 @@ fn a_matrix_that_is_stopped_says_so_and_keeps_what_it_has() {
         "{}",
         outcome.done()
     );
-    assert!(!NEVER.load(std::sync::atomic::Ordering::Relaxed));
+    assert!(!Watch::NONE.is_cancelled());
 }
 
 #[test]
