@@ -1,5 +1,5 @@
 //! Numbers without physics: scalars, vectors, the first root of a contact quartic, points sorted into squares and close pairs of them,
-//! statistics, seeded random numbers.
+//! power series of differential equations, statistics, seeded random numbers.
 
 pub mod angle;
 pub mod double_double;
@@ -11,6 +11,7 @@ pub mod near;
 mod octuple;
 pub mod random;
 pub mod real;
+pub mod series;
 pub mod statistics;
 
 pub use double_double::DoubleDouble;

@@ -28,6 +28,28 @@ pub enum EventKind {
     SpinEnd(u32),
     /// A ball left play in pocket number ...
     Pocket(u32, u32),
+    /// A ball came to press on another or on a cushion, or to move alongside it; the ball is the smaller one.
+    ContactBegin(u32, Partner),
+    /// Such a contact ended: nothing holds the two together any more.
+    ContactEnd(u32, Partner),
+}
+
+/// What a ball is in contact with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Partner {
+    /// A ball, by its index in scene order.
+    Ball(u32),
+    /// A cushion.
+    Cushion(Side),
+}
+
+impl Partner {
+    fn ball(self) -> Option<usize> {
+        match self {
+            Partner::Ball(ball) => Some(ball as usize),
+            Partner::Cushion(_) => None,
+        }
+    }
 }
 
 impl EventKind {
@@ -45,6 +67,8 @@ impl EventKind {
             EventKind::SlideToRoll(_) => "slide-to-roll",
             EventKind::SpinEnd(_) => "spin-end",
             EventKind::Pocket(..) => "pocket",
+            EventKind::ContactBegin(..) => "contact-begin",
+            EventKind::ContactEnd(..) => "contact-end",
         }
     }
 
@@ -57,6 +81,9 @@ impl EventKind {
     pub fn balls(self) -> (usize, Option<usize>) {
         match self {
             EventKind::BallBall(a, b) => (a as usize, Some(b as usize)),
+            EventKind::ContactBegin(a, partner) | EventKind::ContactEnd(a, partner) => {
+                (a as usize, partner.ball())
+            }
             EventKind::BallCushion(a, _)
             | EventKind::Stop(a)
             | EventKind::SlideToRoll(a)
@@ -75,7 +102,9 @@ impl EventKind {
     pub fn parties<'a>(self, id: impl Fn(usize) -> &'a str) -> (String, String) {
         let (a, b) = self.balls();
         let other = match self {
-            EventKind::BallCushion(_, side) => side.id().to_owned(),
+            EventKind::BallCushion(_, side)
+            | EventKind::ContactBegin(_, Partner::Cushion(side))
+            | EventKind::ContactEnd(_, Partner::Cushion(side)) => side.id().to_owned(),
             EventKind::Pocket(_, pocket) => format!("p{pocket}"),
             _ => b.map(|b| id(b).to_owned()).unwrap_or_default(),
         };

@@ -10,7 +10,7 @@ pub mod thin;
 
 pub use certainty::Certainty;
 pub use counter::Counter;
-pub use event::{Event, EventKind};
+pub use event::{Event, EventKind, Partner};
 pub use path::{Knot, Path};
 pub use recorder::{Record, Recorder};
 

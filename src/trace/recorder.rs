@@ -101,7 +101,13 @@ impl Recorder {
         }
     }
 
-    /// A state that belongs to no event: where the step began in which a stepping engine found one, or stopped a ball.
+    /// Whether knots between the first and the last are kept.
+    pub fn keeps_knots(&self) -> bool {
+        self.record != Record::Final
+    }
+
+    /// A state that belongs to no event: where the step began in which a stepping engine found one, or stopped a ball, or
+    /// one of those by which a trace follows a motion whose acceleration changes.
     ///
     /// It keeps the interpolation honest: without it a ball that rests until it is hit would creep toward the place where
     /// the step with the hit left it.

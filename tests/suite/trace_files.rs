@@ -511,7 +511,7 @@ fn every_fault_is_named_by_file_line_and_column() {
         ),
         (
             |f| f.events = f.events.replace("stop", "halt"),
-            "events.csv:3: column `kind`: unknown kind `halt`; known are ball-ball, ball-cushion, stop, slide-to-roll, spin-end, pocket",
+            "events.csv:3: column `kind`: unknown kind `halt`; known are ball-ball, ball-cushion, stop, slide-to-roll, spin-end, pocket, contact-begin, contact-end",
         ),
         (
             |f| f.events = f.events.replace("stop,cue", "stop,8"),

@@ -18,6 +18,8 @@ pub enum Phase {
     Slide,
     /// Slides or rolls over a cloth that turns it: constant acceleration, whatever its direction and whatever comes after.
     Curve,
+    /// Held by contacts: how it moves is for its group to say, until the end of the flight.
+    Held,
 }
 
 /// A ball between two events. Times are absolute, s; x and y in the plane of the table.

@@ -1,14 +1,25 @@
 //! What a run writes down of its events: rows, both sides, the extrema, and how many there were.
 
 use super::cluster_impact::{ClusterImpact, Met, RowSide};
+use super::contact::arc::Arc;
+use super::contact::group::{Change, Group, Member, Mode};
+use super::contact::held::Held;
 use super::impact::{Impact, ImpactSide};
 use super::kinematics::Kinematics;
 use super::phases::PhaseEnd;
 use super::predict::Encounter;
+use super::spin::Moving;
+use super::sustained::parties;
 use crate::math::Real;
 use crate::physics::invariants::{kinetic_energy, momentum};
 use crate::physics::{Side, State};
 use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Trace};
+
+/// What the knots of a ball that is held leave unexplained, in radii.
+const KNOTS: f64 = 1e-9;
+
+/// Knots of one stretch, at most.
+const MOST_PIECES: f64 = 10_000.0;
 
 /// The trace of a run under way. It is told of an event when its balls have set off.
 pub struct Journal<T> {
@@ -180,6 +191,141 @@ impl<T: Real> Journal<T> {
         if end.stops {
             self.count(balls.now());
             self.recorder.stop(ball, time, near, &end.after);
+        }
+    }
+
+    /// An impact that stands for all `impacts` of an accumulation: its balls are on the way to the `limit`.
+    pub fn accumulation<const N: usize>(
+        &mut self,
+        balls: &Kinematics<'_, T>,
+        impact: &Impact<T, N>,
+        members: &[Member<T>],
+        limit: &[Moving<T>],
+        impacts: u32,
+    ) {
+        let time = balls.now().to_f64();
+        let mut gained = 0.0;
+        let kind = match impact.encounter {
+            Encounter::Pair(a, b) => {
+                self.ball_ball += 1;
+                EventKind::ball_ball(a, b)
+            }
+            Encounter::Cushion(a, side) => {
+                self.ball_cushion += 1;
+                EventKind::BallCushion(a as u32, side)
+            }
+        };
+        self.count(balls.now());
+        let event = self.recorder.event(time, kind, Some(u64::from(impacts)));
+        for ((side, member), end) in impact.sides.iter().zip(members).zip(limit) {
+            let after = member.moving;
+            let leaving = ImpactSide {
+                after: end.velocity,
+                spin_after: end.spin,
+                ..*side
+            };
+            gained += gain(balls, &leaving);
+            let before = balls.state(side.ball, side.position, side.before, side.spin_before);
+            let after = balls.state(side.ball, after.position, after.velocity, after.spin);
+            self.recorder.jump(side.ball, time, &before, &after, event);
+        }
+        let (first, other) = (&impact.sides[0], impact.sides.get(1));
+        let other = other.map(|other| other.ball);
+        self.recorder.energy_change(time, gained, first.ball, other);
+    }
+
+    /// What balls did that were held until now: states between which their acceleration is nearly constant.
+    pub fn stretch(&mut self, balls: &Kinematics<'_, T>, held: &Held<T>) {
+        if !self.recorder.keeps_knots() {
+            return;
+        }
+        let length = balls.now() - held.start;
+        for (series, member) in held.arc.series.iter().zip(&held.group.members) {
+            let radius = balls.world().radius[member.ball].to_f64();
+            // between two knots h apart a changing acceleration leaves jerk h^3 / 12 unexplained
+            let most = KNOTS * radius;
+            let pieces = length.to_f64() * (series.jerk / (12.0 * most)).cbrt();
+            let pieces = pieces.ceil().clamp(1.0, MOST_PIECES);
+            for piece in 1..=pieces as u32 {
+                let after = length * T::lift(f64::from(piece) / pieces);
+                let Moving {
+                    position,
+                    velocity,
+                    spin,
+                } = series.at(after);
+                let state = balls.state(member.ball, position, velocity, spin);
+                let time = (held.start + after).to_f64().min(balls.now().to_f64());
+                self.recorder.pin(member.ball, time, &state);
+            }
+        }
+    }
+
+    /// What ended with a stretch; `group`: its members on the far side.
+    pub fn changes(
+        &mut self,
+        balls: &Kinematics<'_, T>,
+        arc: &Arc<T>,
+        group: &Group<T>,
+        changes: &[Change],
+    ) {
+        let time = balls.now().to_f64();
+        for change in changes {
+            let (i, kind): (usize, fn(u32) -> EventKind) = match *change {
+                Change::Rolls(i) => (i, EventKind::SlideToRoll),
+                Change::Stops(i) => (i, EventKind::Stop),
+                Change::Unspun(i) => (i, EventKind::SpinEnd),
+                _ => continue,
+            };
+            let member = &group.members[i];
+            let near = arc.series[i].at(arc.length);
+            let state = |m: &Moving<T>| balls.state(member.ball, m.position, m.velocity, m.spin);
+            let (near, far) = (state(&near), state(&member.moving));
+            let rests = member.mode == Mode::Rests;
+            if !matches!(change, Change::Stops(_)) && !(rests && matches!(change, Change::Rolls(_)))
+            {
+                self.count(balls.now());
+                self.recorder
+                    .phase(member.ball, time, &near, &far, kind(member.ball as u32));
+            }
+            if rests && matches!(change, Change::Stops(_) | Change::Rolls(_)) {
+                self.count(balls.now());
+                self.recorder.stop(member.ball, time, &near, &far);
+            }
+        }
+    }
+
+    /// The limit of an accumulation in which a ball comes to rest.
+    pub fn stop(&mut self, balls: &Kinematics<'_, T>, member: &Member<T>) {
+        let Moving {
+            position,
+            velocity,
+            spin,
+        } = member.moving;
+        let state = balls.state(member.ball, position, velocity, spin);
+        self.count(balls.now());
+        self.recorder
+            .stop(member.ball, balls.now().to_f64(), &state, &state);
+    }
+
+    /// A contact that begins to last, or ends.
+    pub fn contact(&mut self, balls: &Kinematics<'_, T>, encounter: Encounter, begins: bool) {
+        let (ball, partner) = parties(encounter);
+        let time = balls.now().to_f64();
+        let kind = match begins {
+            true => EventKind::ContactBegin(ball as u32, partner),
+            false => EventKind::ContactEnd(ball as u32, partner),
+        };
+        self.count(balls.now());
+        let event = self.recorder.event(time, kind, None);
+        let (first, second) = kind.balls();
+        for ball in std::iter::once(first).chain(second) {
+            let Moving {
+                position,
+                velocity,
+                spin,
+            } = balls.moving(ball);
+            let state = balls.state(ball, position, velocity, spin);
+            self.recorder.jump(ball, time, &state, &state, event);
         }
     }
 

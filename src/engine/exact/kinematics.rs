@@ -5,8 +5,10 @@
 //! move or turn is that of the courses. Everything else reads: an impact or the end of a phase is first decided as a value and
 //! then set off.
 
+use super::contact::held::{Contacts, Held};
 use super::flight::{Flight, Phase};
-use super::spin::{Moving, Rotation, Spin};
+use super::predict::Encounter;
+use super::spin::{Moving, Rotation, Spin, Turn};
 use super::world::World;
 use crate::math::{Real, Vec3};
 use crate::physics::State;
@@ -39,6 +41,8 @@ pub struct Kinematics<'a, T: Real> {
     spins: Vec<Spin<T>>,
     /// How often every ball has changed its course.
     versions: Vec<u32>,
+    /// Balls that are held together, and parties that part.
+    contacts: Contacts<T>,
     /// Balls that move or turn.
     active: usize,
     now: T,
@@ -55,6 +59,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
             versions: vec![0; flights.len()],
             flights,
             spins,
+            contacts: Contacts::new(),
             active: 0,
             now: T::zero(),
         };
@@ -132,7 +137,32 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Centre and velocity of a ball now.
     #[inline]
     pub fn at(&self, ball: usize) -> ([T; 2], [T; 2]) {
-        self.flights[ball].at(self.now)
+        let flight = &self.flights[ball];
+        if flight.phase == Phase::Held {
+            let moving = self.held_now(ball);
+            return (moving.position, moving.velocity);
+        }
+        flight.at(self.now)
+    }
+
+    /// How a ball that is held moves now.
+    #[cold]
+    #[inline(never)]
+    fn held_now(&self, ball: usize) -> Moving<T> {
+        let flight = &self.flights[ball];
+        let held = self.contacts.of(ball);
+        let series = held.and_then(|held| Some((held.series(ball)?, held.start)));
+        match series {
+            Some((series, start)) => series.at(self.now - start),
+            None => Moving {
+                position: flight.position,
+                velocity: flight.velocity,
+                spin: self
+                    .spins
+                    .get(ball)
+                    .map_or([T::zero(); 3], |spin| spin.start),
+            },
+        }
     }
 
     /// Centre of a ball now.
@@ -145,6 +175,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
     pub fn spin_now(&self, ball: usize) -> [T; 3] {
         match self.spins.get(ball) {
             None => [T::zero(); 3],
+            Some(_) if self.flights[ball].phase == Phase::Held => self.held_now(ball).spin,
             Some(spin) => spin.after(self.now - self.flights[ball].start),
         }
     }
@@ -211,6 +242,72 @@ impl<'a, T: Real> Kinematics<'a, T> {
         self.active -= usize::from(was_active);
         self.flights[ball] = course.flight;
         self.versions[ball] = self.next_version(ball);
+    }
+
+    /// Balls that are held together, and parties that part.
+    #[inline]
+    pub fn contacts(&self) -> &Contacts<T> {
+        &self.contacts
+    }
+
+    /// Whether a ball is held by contacts.
+    #[inline]
+    pub fn is_held(&self, ball: usize) -> bool {
+        self.flights[ball].phase == Phase::Held
+    }
+
+    /// Whether two parties are on the courses on which they parted.
+    pub fn is_parting(&self, encounter: Encounter) -> bool {
+        self.contacts
+            .is_parting(encounter, |ball| self.versions[ball])
+    }
+
+    /// Puts the balls of a group on their common course, from now on.
+    #[cold]
+    pub fn hold(&mut self, held: Held<T>) {
+        let zero = T::zero();
+        for (series, member) in held.arc.series.iter().zip(&held.group.members) {
+            let moving = series.at(zero);
+            let flight = Flight {
+                start: self.now,
+                end: self.now + held.arc.length,
+                position: moving.position,
+                velocity: moving.velocity,
+                acceleration: [zero; 2],
+                fastest: series.fastest,
+                phase: Phase::Held,
+            };
+            let spin = self.rotates().then(|| Spin {
+                start: moving.spin,
+                rate: [zero; 3],
+                turn: Turn::Never,
+                slides: series.slides,
+            });
+            self.set_off(member.ball, &Course { flight, spin });
+        }
+        self.contacts.add(held);
+    }
+
+    /// How a ball of a group that is given up moves now.
+    pub fn state_in(&self, held: &Held<T>, ball: usize) -> Moving<T> {
+        match held.series(ball) {
+            Some(series) => series.at(self.now - held.start),
+            None => self.moving(ball),
+        }
+    }
+
+    /// Gives up the group of a ball, all of whose balls have to set off next.
+    #[cold]
+    pub fn let_go(&mut self, ball: usize) -> Option<Held<T>> {
+        self.contacts.remove(ball)
+    }
+
+    /// Notes that two parties part on the courses that they are on.
+    #[cold]
+    pub fn part(&mut self, encounter: Encounter) {
+        let versions = &self.versions;
+        self.contacts.forget(|ball| versions[ball]);
+        self.contacts.part(encounter, |ball| versions[ball]);
     }
 
     /// Takes a ball out of play: from here on it is nowhere, and nothing meets it.

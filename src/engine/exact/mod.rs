@@ -27,6 +27,7 @@ mod cells;
 mod certainty;
 mod cluster_impact;
 mod collapse;
+mod contact;
 pub mod flight;
 mod impact;
 mod journal;
@@ -42,6 +43,7 @@ mod simultaneous;
 mod solution;
 mod solve;
 mod spin;
+mod sustained;
 mod tangent;
 mod world;
 

@@ -42,7 +42,7 @@ impl<T: Real> PhaseEnd<T> {
         let was = balls.flight(ball);
         let position = match was.phase {
             Phase::Slide => was.rest_position(),
-            Phase::Free | Phase::Rest | Phase::Curve => balls.place(ball),
+            Phase::Free | Phase::Rest | Phase::Curve | Phase::Held => balls.place(ball),
         };
         let at_rest = Moving {
             position,

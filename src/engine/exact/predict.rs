@@ -61,8 +61,9 @@ impl<T: Real> Watch<T> {
         self.found
     }
 
+    /// Notes an encounter, unless it is the one that is known.
     #[cold]
-    fn note(&mut self, near: Encounter) {
+    pub(super) fn note(&mut self, near: Encounter) {
         if self.known != Some(near) {
             self.found.push(near);
         }
@@ -72,15 +73,15 @@ impl<T: Real> Watch<T> {
 /// Whose next event is asked for, and on which course.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a, T: Real> {
-    balls: &'a Kinematics<'a, T>,
-    ball: usize,
-    flight: &'a Flight<T>,
+    pub(super) balls: &'a Kinematics<'a, T>,
+    pub(super) ball: usize,
+    pub(super) flight: &'a Flight<T>,
     /// The other ball of the impact at hand; the ball itself where there is none.
-    mate: usize,
+    pub(super) mate: usize,
     /// The flight on which that one sets off as well; `None` if it is left out: the encounter of the two belongs to its own row.
-    ahead: Option<&'a Flight<T>>,
+    pub(super) ahead: Option<&'a Flight<T>>,
     /// The cushion that is left out.
-    except: Option<Side>,
+    pub(super) except: Option<Side>,
 }
 
 impl<'a, T: Real> Row<'a, T> {
@@ -163,7 +164,7 @@ impl<'a, T: Real> Row<'a, T> {
     ) -> Candidate<T> {
         let mut best = self.end();
         self.among(partners, &mut best, watch, searches);
-        best.time = best.time.at_least(self.balls.now());
+        best.time = begun(best.time.at_least(self.balls.now()));
         best
     }
 
@@ -195,6 +196,9 @@ impl<'a, T: Real> Row<'a, T> {
         searches: &mut u64,
     ) {
         let world = self.balls.world();
+        if !self.balls.contacts().is_empty() {
+            return self.among_contacts(partners, best, watch, searches);
+        }
         if self.flight.moves() {
             self.cushions(best, watch.as_deref_mut(), searches);
             if !world.pockets.is_empty() {
@@ -209,7 +213,7 @@ impl<'a, T: Real> Row<'a, T> {
         }
     }
 
-    fn cushions(
+    pub(super) fn cushions(
         &self,
         best: &mut Candidate<T>,
         mut watch: Option<&mut Watch<T>>,
@@ -261,7 +265,7 @@ impl<'a, T: Real> Row<'a, T> {
     }
 
     #[cold]
-    fn pockets(&self, best: &mut Candidate<T>, searches: &mut u64) {
+    pub(super) fn pockets(&self, best: &mut Candidate<T>, searches: &mut u64) {
         let (world, flight) = (self.balls.world(), self.flight);
         for (pocket, [x, y, radius]) in world.pockets.iter().enumerate() {
             let approach = Approach {
@@ -284,7 +288,7 @@ impl<'a, T: Real> Row<'a, T> {
         }
     }
 
-    fn partners(
+    pub(super) fn partners(
         &self,
         partners: impl IntoIterator<Item = usize>,
         best: &mut Candidate<T>,
@@ -368,7 +372,7 @@ impl<'a, T: Real> Row<'a, T> {
 
     /// How often a partner will have changed its course when this row is known.
     #[inline]
-    fn stamp(&self, other: usize) -> u32 {
+    pub(super) fn stamp(&self, other: usize) -> u32 {
         match self.ahead {
             Some(_) if other == self.mate => self.balls.next_version(other),
             _ => self.balls.version(other),
@@ -376,9 +380,19 @@ impl<'a, T: Real> Row<'a, T> {
     }
 }
 
+/// Time 0 for what is no later but for the underflow of a quotient.
+#[inline]
+pub(super) fn begun<T: Real>(time: T) -> T {
+    if time < T::lift(f64::MIN_POSITIVE) {
+        T::zero()
+    } else {
+        time
+    }
+}
+
 /// A little later than `time`, by more than rounding.
 #[inline]
-fn later<T: Real>(time: T) -> T {
+pub(super) fn later<T: Real>(time: T) -> T {
     time + time * T::lift(BEYOND * T::ULP)
 }
 

@@ -11,13 +11,15 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
+use super::flight::{Ground, Phase};
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
 use super::kinematics::Kinematics;
 use super::phases::PhaseEnd;
-use super::predict::{Row, Watch};
+use super::predict::{Encounter, Row, Watch};
 use super::queue::{Candidate, What};
 use super::range::unfit;
+use super::sustained::{Foreseen, SLOW};
 use crate::engine::Limits;
 use crate::math::Real;
 use crate::physics::Side;
@@ -76,6 +78,8 @@ impl<'a, T: Real> Solver<'a, T> {
         let mut run = Loop {
             agenda: Agenda::new(&balls, partners),
             streaks: Streaks::new(balls.count()),
+            slow: slow(&balls),
+            foreseen: Vec::new(),
             balls,
             journal,
         };
@@ -119,13 +123,32 @@ impl<'a, T: Real> Played<'a, T> {
     }
 }
 
+/// The speed below which an impact may be one of an accumulation; without a cloth nothing presses balls together.
+fn slow<T: Real>(balls: &Kinematics<'_, T>) -> T {
+    let world = balls.world();
+    let presses = match (&world.rotation, world.ground) {
+        (Some(rotation), _) => rotation.slide > T::zero(),
+        (None, Ground::Coulomb(_)) => true,
+        (None, Ground::Frictionless) => false,
+    };
+    if presses {
+        world.fastest * T::lift(SLOW)
+    } else {
+        T::zero()
+    }
+}
+
 /// A run under way.
-struct Loop<'a, T: Real> {
-    balls: Kinematics<'a, T>,
-    agenda: Agenda<T>,
+pub(super) struct Loop<'a, T: Real> {
+    pub(super) balls: Kinematics<'a, T>,
+    pub(super) agenda: Agenda<T>,
     /// How often each ball was hit without time passing.
     streaks: Streaks<T>,
-    journal: Journal<T>,
+    /// The speed below which an impact may be one of an accumulation, length/s.
+    slow: T,
+    /// Where accumulations under way lead.
+    pub(super) foreseen: Vec<Foreseen<T>>,
+    pub(super) journal: Journal<T>,
 }
 
 impl<T: Real> Loop<'_, T> {
@@ -208,6 +231,9 @@ impl<T: Real> Loop<'_, T> {
     /// Two balls meet.
     #[inline(never)]
     fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
+        if self.balls.is_held(a) || self.balls.is_held(b) {
+            return self.struck(Encounter::Pair(a, b));
+        }
         let law = self.balls.world().contact?;
         let impact = Impact::of_balls(&self.balls, law, a, b);
         self.impact(&impact)
@@ -216,6 +242,9 @@ impl<T: Real> Loop<'_, T> {
     /// A ball meets a cushion.
     #[inline(never)]
     fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
+        if self.balls.is_held(a) {
+            return self.struck(Encounter::Cushion(a, side));
+        }
         let law = self.balls.world().cushion?;
         let impact = Impact::on_cushion(&self.balls, law, a, side);
         self.impact(&impact)
@@ -225,6 +254,14 @@ impl<T: Real> Loop<'_, T> {
     #[inline(always)]
     fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
         let sides = &impact.sides;
+        if impact.closing < self.slow {
+            if impact.closing <= self.balls.world().blur.speed {
+                return self.touch(impact.encounter);
+            }
+            if self.accumulates(impact) {
+                return None;
+            }
+        }
         let fault = impact.fault(&self.balls);
         if let Some(ending) = fault.or_else(|| self.streak(sides)) {
             return Some(ending);
@@ -321,6 +358,9 @@ impl<T: Real> Loop<'_, T> {
     /// The phase of a ball ends by itself.
     #[inline(never)]
     fn phase_end(&mut self, ball: usize) -> Option<Ending> {
+        if self.balls.flight(ball).phase == Phase::Held {
+            return self.stretch_end(ball);
+        }
         let end = PhaseEnd::of(&self.balls, ball);
         let row = Row::setting_off(&self.balls, ball, &end.course.flight);
         let mut ending = None;

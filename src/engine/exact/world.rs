@@ -128,6 +128,15 @@ impl<T: Real> World<T> {
         plan_distance(largest, largest).to_f64()
     }
 
+    /// The largest acceleration that the cloth gives; without one, that of a ball turned round by another, length/s^2.
+    pub fn strongest(&self) -> T {
+        match (self.rotation, self.ground) {
+            (Some(rotation), _) if rotation.slide > T::zero() => rotation.slide,
+            (_, Ground::Coulomb(deceleration)) => deceleration,
+            _ => self.fastest * self.fastest / T::lift(self.widest_distance()),
+        }
+    }
+
     /// What the place of a ball is good to at a time that is itself rounded, length.
     pub fn position_uncertainty(&self) -> f64 {
         let clock = T::ULP * self.duration.to_f64();

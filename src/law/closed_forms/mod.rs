@@ -211,6 +211,11 @@ impl Audit<'_> {
                         self.falls(a as usize, pocket, jump);
                     }
                 }
+                EventKind::ContactBegin(..) | EventKind::ContactEnd(..) => {
+                    let (a, b) = event.kind.balls();
+                    let alone = |ball: usize| of(ball as u32).len() == 1;
+                    self.told(event, alone(a) && b.is_none_or(alone));
+                }
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What is kept of one sample in one engine once its trace is dropped: where and when the balls stopped, and digests of orders.
 
-use crate::trace::{Event, EventKind, Trace};
+use crate::trace::{Event, EventKind, Partner, Trace};
 use sha2::{Digest, Sha256};
 
 /// Where one run left the balls.
@@ -59,6 +59,14 @@ impl Order {
                 EventKind::BallBall(a, b) | EventKind::Pocket(a, b) => (a, b),
                 EventKind::BallCushion(a, side) => (a, side as u32),
                 EventKind::Stop(a) | EventKind::SlideToRoll(a) | EventKind::SpinEnd(a) => (a, 0),
+                EventKind::ContactBegin(a, partner) | EventKind::ContactEnd(a, partner) => {
+                    let other = match partner {
+                        Partner::Ball(ball) => ball,
+                        // beyond every index of a ball
+                        Partner::Cushion(side) => u32::MAX - side as u32,
+                    };
+                    (a, other)
+                }
             };
             // no name of a kind begins with another's, so that the bytes can be read in one way only
             hash.update(event.kind.id());

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::math::Vec3;
 use crate::physics::{Side, State};
-use crate::trace::{Certainty, Ending, Event, EventKind, Knot, Path, Trace};
+use crate::trace::{Certainty, Ending, Event, EventKind, Knot, Partner, Path, Trace};
 use std::collections::HashMap;
 
 /// The trace that four files hold.
@@ -173,25 +173,32 @@ fn event_kind(
             Err(b.wrong(problem))
         }
     };
-    match kind.text {
-        "ball-ball" => {
-            let second = b.ball(balls, index)?;
-            if first >= second {
-                let problem = format!(
-                    "`{}` with `{}`: expected two balls in the order of {FINAL}",
-                    b.text, a.text
-                );
-                return Err(b.wrong(problem));
-            }
-            Ok(EventKind::BallBall(first, second))
+    let side_of = || Side::ALL.into_iter().find(|side| side.id() == b.text);
+    let second_ball = || -> Result<u32, FileError> {
+        let second = b.ball(balls, index)?;
+        if first < second {
+            return Ok(second);
         }
+        let problem = format!(
+            "`{}` with `{}`: expected two balls in the order of {FINAL}",
+            b.text, a.text
+        );
+        Err(b.wrong(problem))
+    };
+    let partner = || match side_of() {
+        Some(side) => Ok(Partner::Cushion(side)),
+        None => second_ball().map(Partner::Ball),
+    };
+    match kind.text {
+        "ball-ball" => Ok(EventKind::BallBall(first, second_ball()?)),
         "ball-cushion" => {
-            let side = Side::ALL.into_iter().find(|side| side.id() == b.text);
-            let side = side.ok_or_else(|| {
+            let side = side_of().ok_or_else(|| {
                 b.wrong(format!("`{}`: expected a cushion, x0, x1, y0 or y1", b.text))
             })?;
             Ok(EventKind::BallCushion(first, side))
         }
+        "contact-begin" => Ok(EventKind::ContactBegin(first, partner()?)),
+        "contact-end" => Ok(EventKind::ContactEnd(first, partner()?)),
         "stop" => alone(EventKind::Stop(first)),
         "slide-to-roll" => alone(EventKind::SlideToRoll(first)),
         "spin-end" => alone(EventKind::SpinEnd(first)),
@@ -202,7 +209,7 @@ fn event_kind(
             Ok(EventKind::Pocket(first, number))
         }
         other => Err(kind.wrong(format!(
-            "unknown kind `{other}`; known are ball-ball, ball-cushion, stop, slide-to-roll, spin-end, pocket"
+            "unknown kind `{other}`; known are ball-ball, ball-cushion, stop, slide-to-roll, spin-end, pocket, contact-begin, contact-end"
         ))),
     }
 }

@@ -1,0 +1,298 @@
+//! The common motion of a group for a while: power series of every member, up to the next change.
+//!
+//! The series converge up to the nearest singularity: the end of a slip or of a roll whose direction turns, where `u/|u|` has no limit series. A
+//! stretch ends well before one, by what its highest coefficients leave out, so a motion that turns towards its end takes a stretch for each fifth
+//! or so of the time that is left, until what is left is rounding. Where nothing turns the series end by themselves, and one stretch is exact.
+
+use super::decide::settle;
+use super::group::{Change, Equations, Group, Mode};
+use crate::engine::exact::spin::Moving;
+use crate::engine::exact::world::World;
+use crate::math::Real;
+use crate::math::series::{Node, Tape, at, reach, slope_at};
+
+/// Orders of a series for each bit of the scalar: so many that a fifth of the way to a singularity leaves nothing out.
+const ORDERS: f64 = 0.34;
+
+/// What a stretch leaves out of a position or a speed, in ulps of the largest.
+const LEFT_OUT: f64 = 0.5;
+
+/// Places at which a monitor is looked at within a stretch.
+const LOOKS: usize = 8;
+
+/// A slip or a speed that turns while it ends is over when it is no more than this many roundings of the fastest.
+const OVER: f64 = 64.0;
+
+/// Bisections and Newton steps, at most, for one root.
+const STEPS: usize = 400;
+
+/// One member during a stretch, by powers of the time since its start in units of its own.
+#[derive(Clone, Debug)]
+pub struct Series<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// One unit of the series' time, s.
+    pub unit: T,
+    /// Centre.
+    pub position: [Vec<T>; 2],
+    /// Velocity.
+    pub velocity: [Vec<T>; 2],
+    /// Spin.
+    pub spin: [Vec<T>; 3],
+    /// No faster than this, length/s.
+    pub fastest: T,
+    /// Acceleration no larger than this, length/s^2.
+    pub strongest: T,
+    /// How fast its acceleration changes, length/s^3, at most.
+    pub jerk: f64,
+    /// Whether it slips over the cloth.
+    pub slides: bool,
+}
+
+impl<T: Real> Series<T> {
+    /// How it moves `h` seconds after the start.
+    pub fn at(&self, h: T) -> Moving<T> {
+        let h = h / self.unit;
+        Moving {
+            position: [0, 1].map(|axis| at(&self.position[axis], h)),
+            velocity: [0, 1].map(|axis| at(&self.velocity[axis], h)),
+            spin: [0, 1, 2].map(|axis| at(&self.spin[axis], h)),
+        }
+    }
+
+    /// A member with constant acceleration: from `moving`, spin changing at `rate`.
+    pub fn straight(
+        ball: usize,
+        moving: &Moving<T>,
+        acceleration: [T; 2],
+        rate: [T; 3],
+        h: T,
+    ) -> Self {
+        let half = T::lift(0.5);
+        let position = [0, 1].map(|i| {
+            vec![
+                moving.position[i],
+                moving.velocity[i],
+                acceleration[i] * half,
+            ]
+        });
+        let velocity = [0, 1].map(|i| vec![moving.velocity[i], acceleration[i]]);
+        let spin = [0, 1, 2].map(|i| vec![moving.spin[i], rate[i]]);
+        Series::bounded(ball, position, velocity, spin, [h, T::one()], true)
+    }
+
+    /// `h`: the length of the stretch in units of its time; `unit`: that unit, s.
+    fn bounded(
+        ball: usize,
+        position: [Vec<T>; 2],
+        velocity: [Vec<T>; 2],
+        spin: [Vec<T>; 3],
+        [h, unit]: [T; 2],
+        slides: bool,
+    ) -> Self {
+        // the sums of the sizes of all terms at the end of the stretch bound every sum before it
+        let bound = |series: &[Vec<T>; 2], derivative: usize| {
+            let squares = series.iter().map(|series| {
+                let mut sum = 0.0;
+                for (order, coefficient) in series.iter().enumerate().skip(derivative) {
+                    let falling: f64 = (order + 1 - derivative..=order).map(|k| k as f64).product();
+                    let power = h.to_f64().powi((order - derivative) as i32);
+                    sum += falling * coefficient.to_f64().abs() * power;
+                }
+                sum * sum
+            });
+            squares.sum::<f64>().sqrt() / unit.to_f64().powi(derivative as i32)
+        };
+        let above = 1.0 + 64.0 * f64::EPSILON;
+        Series {
+            ball,
+            fastest: T::lift(bound(&velocity, 0) * above),
+            strongest: T::lift(bound(&velocity, 1) * above),
+            jerk: bound(&velocity, 2),
+            unit,
+            position,
+            velocity,
+            spin,
+            slides,
+        }
+    }
+}
+
+/// A stretch of the motion of a group.
+#[derive(Clone, Debug)]
+pub struct Arc<T> {
+    /// Its length, s.
+    pub length: T,
+    /// The members.
+    pub series: Vec<Series<T>>,
+    /// What ends it; empty where the series ends before anything changes.
+    pub changes: Vec<Change>,
+}
+
+impl<T: Real> Arc<T> {
+    /// The next stretch of a group, no longer than `most`, s.
+    pub fn of(world: &World<T>, group: &Group<T>, most: T) -> Self {
+        let mut equations = group.equations(world);
+        let unit = pace(world, &equations);
+        let order = (ORDERS * f64::from(T::BITS)) as usize + 2;
+        equations.tape.extend(order, unit);
+        let tape = &equations.tape;
+        let mut length = most / unit;
+        let speed = world.fastest.to_f64();
+        let part = LEFT_OUT * T::ULP;
+        for node in equations.velocity.iter().flatten() {
+            length = length.at_most(T::lift(reach(tape.series(*node), speed, part)));
+        }
+        let watched: Vec<(Change, &[T])> = equations
+            .monitors
+            .iter()
+            .map(|monitor| (monitor.change, tape.series(monitor.node)))
+            .collect();
+        let (length, mut changes) = first_change(&watched, length);
+        for change in over(world, &watched, length) {
+            if !changes.contains(&change) {
+                changes.push(change);
+            }
+        }
+        let series = group.members.iter().enumerate().map(|(i, member)| {
+            let own = |nodes: &[Node]| -> Vec<Vec<T>> {
+                nodes.iter().map(|node| trimmed(tape, *node)).collect()
+            };
+            let pair = |nodes: [Node; 2]| {
+                let mut found = own(&nodes).into_iter();
+                [
+                    found.next().unwrap_or_default(),
+                    found.next().unwrap_or_default(),
+                ]
+            };
+            let [wx, wy, wz] = equations.spin[i];
+            let [x, y] = pair([wx, wy]);
+            Series::bounded(
+                member.ball,
+                pair(equations.position[i]),
+                pair(equations.velocity[i]),
+                [x, y, trimmed(tape, wz)],
+                [length, unit],
+                member.mode == Mode::Slides,
+            )
+        });
+        Arc {
+            series: series.collect(),
+            length: length * unit,
+            changes,
+        }
+    }
+
+    /// How the members move at the end, with what ended there set.
+    pub fn end(&self, world: &World<T>, group: &Group<T>) -> Vec<Moving<T>> {
+        let mut states: Vec<Moving<T>> = self.series.iter().map(|s| s.at(self.length)).collect();
+        for change in &self.changes {
+            match *change {
+                Change::Rolls(i) => {
+                    let radius = world.radius[group.members[i].ball];
+                    let moving = &mut states[i];
+                    let [x, y] = moving.velocity;
+                    let slip = [x - radius * moving.spin[1], y + radius * moving.spin[0]];
+                    let part = T::lift(2.0) / T::lift(7.0);
+                    moving.velocity = [x - slip[0] * part, y - slip[1] * part];
+                    settle(radius, Mode::Rolls, moving);
+                }
+                Change::Stops(i) => {
+                    let radius = world.radius[group.members[i].ball];
+                    settle(radius, Mode::Rests, &mut states[i]);
+                }
+                Change::Unspun(i) => states[i].spin[2] = T::zero(),
+                _ => {}
+            }
+        }
+        states
+    }
+}
+
+/// The time in which a group changes: that in which the first slip or roll would end, or in which a ball crosses another.
+fn pace<T: Real>(world: &World<T>, equations: &Equations<T>) -> T {
+    let strongest = world.strongest();
+    let crossing = T::lift(world.widest_distance()) / world.fastest;
+    let ends = equations.monitors.iter().filter_map(|monitor| {
+        let ends = matches!(monitor.change, Change::Rolls(_) | Change::Stops(_));
+        ends.then(|| equations.tape.value(monitor.node) / strongest)
+    });
+    // a slip that is none has a stretch of its own, and no pace
+    let ends = ends.filter(|time| *time > T::zero());
+    ends.fold(crossing, T::at_most)
+}
+
+/// The coefficients of a node without the zeros at the end.
+fn trimmed<T: Real>(tape: &Tape<T>, node: Node) -> Vec<T> {
+    let series = tape.series(node);
+    let last = series.iter().rposition(|c| *c != T::zero()).unwrap_or(0);
+    series[..=last].to_vec()
+}
+
+/// The first time within `length` at which one of the monitors reaches zero, and all that do so then.
+fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Change>) {
+    let mut first = length;
+    let mut changes: Vec<(Change, T)> = Vec::new();
+    for (change, series) in watched {
+        if let Some(when) = falls(series, first) {
+            first = first.at_most(when);
+            changes.push((*change, when));
+        }
+    }
+    let together = first * T::lift(1.0 + 1024.0 * T::ULP);
+    let changes = changes.into_iter().filter(|(_, when)| *when <= together);
+    (first, changes.map(|(change, _)| change).collect())
+}
+
+/// When a series that is positive first falls to zero within `length`.
+fn falls<T: Real>(series: &[T], length: T) -> Option<T> {
+    let zero = T::zero();
+    let mut low = zero;
+    for look in 1..=LOOKS {
+        let high = length * T::lift(look as f64 / LOOKS as f64);
+        if at(series, high) <= zero {
+            // what begins at zero and falls has fallen already
+            if look == 1 && at(series, low) <= zero && slope_at(series, low) <= zero {
+                return Some(zero);
+            }
+            return Some(root(series, low, high));
+        }
+        low = high;
+    }
+    None
+}
+
+/// A root between `low`, where the series is positive, and `high`, where it is not.
+fn root<T: Real>(series: &[T], mut low: T, mut high: T) -> T {
+    let half = T::lift(0.5);
+    let mut t = (low + high) * half;
+    for _ in 0..STEPS {
+        let value = at(series, t);
+        if value > T::zero() {
+            low = t;
+        } else {
+            high = t;
+        }
+        let step = value / slope_at(series, t);
+        let newton = t - step;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            (low + high) * half
+        };
+        if (next - t).abs() <= T::lift(T::ULP) * t.abs() {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+/// Slips and speeds that are over, but for rounding, at the end of a stretch: those that turn while they end never fall to zero in a series.
+fn over<T: Real>(world: &World<T>, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
+    let none = world.blur.speed * T::lift(OVER);
+    let ended = watched.iter().filter(|(change, series)| {
+        matches!(change, Change::Rolls(_) | Change::Stops(_)) && at(series, length) <= none
+    });
+    ended.map(|(change, _)| *change).collect()
+}

@@ -1,0 +1,136 @@
+//! Balls that are held together by contacts now, and pairs that are just parting.
+
+use super::arc::{Arc, Series};
+use super::group::{Group, Touch};
+use crate::engine::exact::predict::Encounter;
+use crate::engine::exact::spin::Moving;
+use crate::math::Real;
+
+/// What comes at the end of a stretch.
+#[derive(Clone, Debug)]
+pub enum Next<T> {
+    /// What the equations of the group say.
+    Motion,
+    /// The limit of an accumulation: how its parties move then, and the impacts that it stands for.
+    Limit(Vec<Moving<T>>),
+}
+
+/// A group under way.
+#[derive(Clone, Debug)]
+pub struct Held<T> {
+    /// Balls and contacts.
+    pub group: Group<T>,
+    /// How they move.
+    pub arc: Arc<T>,
+    /// When the stretch began, s.
+    pub start: T,
+    /// What comes at its end.
+    pub next: Next<T>,
+    /// Stretches without any length that came before this one.
+    pub stuck: u32,
+}
+
+impl<T: Real> Held<T> {
+    /// Who touches whom, by balls.
+    pub fn encounters(&self) -> Vec<Encounter> {
+        let touches = self.group.holds.iter().map(|hold| hold.touch);
+        touches.map(|touch| encounter(&self.group, touch)).collect()
+    }
+
+    /// The series of a ball.
+    pub fn series(&self, ball: usize) -> Option<&Series<T>> {
+        self.arc.series.iter().find(|series| series.ball == ball)
+    }
+}
+
+/// A contact by its balls.
+pub fn encounter<T>(group: &Group<T>, touch: Touch) -> Encounter {
+    match touch {
+        Touch::Pair(a, b) => {
+            let (a, b) = (group.members[a].ball, group.members[b].ball);
+            Encounter::Pair(a.min(b), a.max(b))
+        }
+        Touch::Cushion(a, side) => Encounter::Cushion(group.members[a].ball, side),
+    }
+}
+
+/// Two parties whose contact has just ended: their gap grows from nothing, and only later can they meet again.
+#[derive(Clone, Copy, Debug)]
+struct Parting {
+    encounter: Encounter,
+    /// The counts of changes of their courses for which this holds.
+    versions: [u32; 2],
+}
+
+/// All contacts of a run.
+#[derive(Clone, Debug)]
+pub struct Contacts<T> {
+    held: Vec<Held<T>>,
+    parting: Vec<Parting>,
+}
+
+impl<T: Real> Contacts<T> {
+    /// No contacts.
+    pub fn new() -> Self {
+        Contacts {
+            held: Vec::new(),
+            parting: Vec::new(),
+        }
+    }
+
+    /// True if nothing is held, and nothing parts.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.held.is_empty() && self.parting.is_empty()
+    }
+
+    /// The group of a ball.
+    pub fn of(&self, ball: usize) -> Option<&Held<T>> {
+        self.held.iter().find(|held| held.series(ball).is_some())
+    }
+
+    /// Takes up a group.
+    pub fn add(&mut self, held: Held<T>) {
+        self.held.push(held);
+    }
+
+    /// Gives up the group of a ball.
+    pub fn remove(&mut self, ball: usize) -> Option<Held<T>> {
+        let place = self
+            .held
+            .iter()
+            .position(|held| held.series(ball).is_some())?;
+        Some(self.held.swap_remove(place))
+    }
+
+    /// Notes parties that part now. `version`: of each ball, once it has set off.
+    pub fn part(&mut self, encounter: Encounter, version: impl Fn(usize) -> u32) {
+        let versions = match encounter {
+            Encounter::Pair(a, b) => [version(a), version(b)],
+            Encounter::Cushion(a, _) => [version(a); 2],
+        };
+        self.parting.push(Parting {
+            encounter,
+            versions,
+        });
+    }
+
+    /// Whether two parties are on the courses on which they parted.
+    pub fn is_parting(&self, encounter: Encounter, version: impl Fn(usize) -> u32) -> bool {
+        self.parting
+            .iter()
+            .any(|parting| parting.encounter == encounter && holds(parting, &version))
+    }
+
+    /// Forgets parties that have gone on since.
+    pub fn forget(&mut self, version: impl Fn(usize) -> u32) {
+        self.parting.retain(|parting| holds(parting, &version));
+    }
+}
+
+fn holds(parting: &Parting, version: &impl Fn(usize) -> u32) -> bool {
+    match parting.encounter {
+        Encounter::Pair(a, b) => parting.versions == [version(a), version(b)],
+        Encounter::Cushion(a, _) => parting.versions[0] == version(a),
+    }
+}
