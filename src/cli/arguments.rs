@@ -425,5 +425,5 @@ fn listed(wanted: fn(&Preset) -> bool) -> String {
 
 /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
 pub fn parse_engines(roster: &Roster, list: &str) -> Result<Vec<Configuration>, Failure> {
-    Configuration::list(roster, list).map_err(Failure::Message)
+    Configuration::list(roster, list).map_err(|error| Failure::Message(error.to_string()))
 }

@@ -4,7 +4,7 @@ use super::arguments::RunArguments;
 use super::{Failure, bounds, output, scene, terminal};
 use crate::engine::{self, Limits, Roster, Setting};
 use crate::finding::{Block, Cell, Column, Document, Table};
-use crate::scene::{Scene, printable};
+use crate::scene::Scene;
 use crate::study::compare::{describe_ending, describe_scene};
 use crate::trace::{Ending, Record, Trace, files};
 use std::process::ExitCode;
@@ -16,13 +16,8 @@ pub fn run(arguments: &RunArguments, roster: &Roster) -> Result<ExitCode, Failur
         Failure::Message(format!("{} in {}: {refusal}", scene.name, arguments.engine))
     };
     let setting = Setting::parse(arguments.settings.iter().map(String::as_str)).map_err(refused)?;
-    let Some(engine) = roster.find(&arguments.engine) else {
-        return Err(Failure::Message(format!(
-            "no engine is called `{}`; there are {}",
-            printable(&arguments.engine),
-            roster.ids()
-        )));
-    };
+    let named = roster.named(&arguments.engine);
+    let engine = named.map_err(|unknown| Failure::Message(unknown.to_string()))?;
     let cadence = bounds::cadence(arguments.every, engine.as_ref(), &scene, &setting)?;
     let run = engine::prepare(engine.as_ref(), &scene, &setting).map_err(refused)?;
     let limits = Limits {

@@ -19,7 +19,7 @@ pub mod stepper;
 pub use audit::{Inside, PairMaterial, Partner};
 pub use built::Built;
 pub use preset::Preset;
-pub use roster::{Roster, Twice};
+pub use roster::{Roster, Twice, UnknownEngine};
 pub use setting::{Knob, KnobRole, Setting};
 pub use sheet::{Parameter, Role};
 

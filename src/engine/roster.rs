@@ -1,6 +1,7 @@
 //! The engines that a command may name: a value that is made once and passed down, so that others can join the built-in ones.
 
 use super::{Engine, exact, rapier, stepper};
+use crate::scene::printable;
 use std::fmt;
 use std::sync::Arc;
 
@@ -35,6 +36,14 @@ impl Roster {
     /// The engine called `id`.
     pub fn find(&self, id: &str) -> Option<&Arc<dyn Engine>> {
         self.engines.iter().find(|engine| engine.id() == id)
+    }
+
+    /// The engine called `id`. Errors: there is none, and which there are.
+    pub fn named(&self, id: &str) -> Result<&Arc<dyn Engine>, UnknownEngine> {
+        self.find(id).ok_or_else(|| UnknownEngine {
+            id: id.to_owned(),
+            known: self.ids(),
+        })
     }
 
     /// Every engine, in order.
@@ -81,3 +90,13 @@ impl Eq for Roster {}
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is an engine called `{0}` already")]
 pub struct Twice(pub String);
+
+/// No engine of the roster has the id.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("no engine is called `{}`; there are {known}", printable(.id))]
+pub struct UnknownEngine {
+    /// The id.
+    pub id: String,
+    /// Ids of those that there are, parted by commas.
+    pub known: String,
+}

@@ -14,6 +14,7 @@ mod file;
 pub mod format;
 pub mod generate;
 mod geometry;
+mod kebab_case;
 mod laws;
 mod located;
 mod names;
@@ -27,15 +28,17 @@ mod resolve;
 mod resolved;
 mod shot;
 mod spelled;
+mod tried;
 
 pub use builder::SceneBuilder;
 pub use choices::{SetName, Simultaneous, TimeUnit};
 pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest};
 pub use file::{SceneFile, schema};
-pub use names::is_kebab_case;
+pub use kebab_case::is_kebab_case;
 pub use printable::{is_hidden, printable};
 pub use resolved::{Ball, Scene, Shot, Table, Units, plan_vector};
 pub use spelled::{Spelled, spelled};
+pub use tried::{Tried, TriedError};
 
 use located::Located;
 use pieces::{Pieces, Shift};

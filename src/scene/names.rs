@@ -2,16 +2,14 @@
 
 use super::diagnostics::{Diagnostic, Kind};
 use super::file::SceneFile;
+use super::kebab_case::{LONGEST, is_kebab_case, kebab_case};
 use super::located::Located;
 use super::placed::{Placed, repetitions};
 use super::problems::Problems;
 use crate::physics::Side;
 use std::ops::Range;
 
-/// Longest name of a scene or ball, characters: it becomes part of file names and table rows.
-const LONGEST: usize = 64;
-
-/// Checks the scene's own name, its sets, `richer` and `try`.
+/// Checks the scene's own name, its sets and `richer`.
 pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Problems) {
     let named = [("name", Some(&file.name)), ("richer", file.richer.as_ref())];
     for (path, name) in named {
@@ -40,14 +38,6 @@ pub(super) fn check(file: &SceneFile, at: &Located<'_>, problems: &mut Problems)
         let help = "remove one of them";
         problems
             .push(Diagnostic::new(Kind::Duplicate, span, message, help).and(first, "first here"));
-    }
-    for (i, line) in file.r#try.iter().enumerate() {
-        if !is_setting(line) {
-            let message = "try must hold an engine and its settings, as ENGINE KEY=VALUE ...";
-            let help = "such as `try = [\"stepper dt=0.1\"]`";
-            let span = at.value(&format!("try[{i}]"));
-            problems.push(Diagnostic::new(Kind::BadName, span, message, help));
-        }
     }
 }
 
@@ -115,33 +105,4 @@ fn wrong_with_id(id: &str) -> Option<(String, String)> {
         return Some((message, help));
     }
     None
-}
-
-/// True for words of lower-case letters and digits joined by single hyphens, 64 characters at most.
-pub fn is_kebab_case(name: &str) -> bool {
-    let word = |word: &str| {
-        !word.is_empty()
-            && word
-                .bytes()
-                .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
-    };
-    name.len() <= LONGEST && name.split('-').all(word)
-}
-
-/// The kebab-case name nearest to `name`, if it has any letters or digits to make one of.
-fn kebab_case(name: &str) -> Option<String> {
-    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let better = words.join("-").to_ascii_lowercase();
-    is_kebab_case(&better).then_some(better)
-}
-
-/// True for `ENGINE KEY=VALUE ...`.
-fn is_setting(line: &str) -> bool {
-    let mut words = line.split_whitespace();
-    let pair = |word: &str| {
-        word.split_once('=')
-            .is_some_and(|(key, value)| !key.is_empty() && !value.is_empty())
-    };
-    words.next().is_some_and(is_kebab_case) && words.all(pair)
 }

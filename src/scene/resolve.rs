@@ -8,7 +8,7 @@ use super::file::SceneFile;
 use super::located::Located;
 use super::placed::Placed;
 use super::problems::Problems;
-use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot};
+use super::{Ball, Scene, Table, Units, geometry, laws, names, rack, shot, tried};
 use crate::math::Vec3;
 use crate::physics::State;
 
@@ -26,6 +26,7 @@ pub(super) fn resolve(file: SceneFile, at: &Located<'_>) -> Result<Scene, Proble
 pub(super) fn whatever(file: SceneFile, at: &Located<'_>) -> (Scene, Problems) {
     let mut problems = Problems::new();
     names::check(&file, at, &mut problems);
+    let try_settings = tried::tried(&file.r#try, at, &mut problems);
     laws::check(&file, at, &mut problems);
     let table = table_of(&file, at, &mut problems);
     let mut placed = listed_balls(&file, at, &mut problems);
@@ -59,7 +60,7 @@ pub(super) fn whatever(file: SceneFile, at: &Located<'_>) -> (Scene, Problems) {
         effects,
         simultaneous: file.simultaneous,
         richer: file.richer,
-        try_settings: file.r#try,
+        try_settings,
     };
     geometry::check(&scene, &paths, at, &mut problems);
     (scene, problems)

@@ -1,6 +1,7 @@
 //! The scene that engines see: nothing implicit.
 
 use super::choices::{SetName, Simultaneous};
+use super::tried::Tried;
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
 use crate::physics::contact::plan_distance;
@@ -39,9 +40,9 @@ pub struct Scene {
     pub simultaneous: Simultaneous,
     /// Name of the scene with more effects that this one is a model of.
     pub richer: Option<String>,
-    /// Engine settings that the scene wants to be tried besides the presets.
+    /// Engines with settings that the scene wants to be tried besides the presets.
     #[serde(rename = "try")]
-    pub try_settings: Vec<String>,
+    pub try_settings: Vec<Tried>,
 }
 
 /// One ball of a resolved scene.

@@ -1,8 +1,10 @@
 //! The run matrix: scenes, or samples of one, are rows; engines with a setting are columns. The only place for threads and the stopwatch.
 
-use crate::engine::{self, Engine, Limits, Parameter, Preset, Refusal, Roster, Run, Setting};
+use crate::engine::{
+    self, Engine, Limits, Parameter, Preset, Refusal, Roster, Run, Setting, UnknownEngine,
+};
 use crate::math::statistics::Distribution;
-use crate::scene::{Scene, printable};
+use crate::scene::{Scene, Tried, printable};
 use crate::trace::{Record, Trace};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
@@ -11,6 +13,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
+use thiserror::Error;
 
 /// Most engines with settings in one list.
 pub const MOST_COLUMNS: usize = 256;
@@ -76,47 +79,47 @@ impl Configuration {
         pairs.fold(id, |spec, (key, value)| format!("{spec}:{key}={value}"))
     }
 
-    /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`. Errors: what is wrong and what would be right, in one sentence.
-    pub fn list(roster: &Roster, list: &str) -> Result<Vec<Configuration>, String> {
+    /// Reads a list of engines: `ID[:KEY=VALUE]...[,...]`.
+    pub fn list(roster: &Roster, list: &str) -> Result<Vec<Configuration>, ListError> {
         let mut columns: Vec<Configuration> = Vec::new();
         let mut labels = HashSet::new();
         for item in list.split(',').map(str::trim) {
             let mut parts = item.split(':');
             let id = parts.next().unwrap_or_default();
-            let Some(engine) = roster.find(id) else {
-                return Err(format!(
-                    "no engine is called `{}`; there are {}",
-                    printable(id),
-                    roster.ids()
-                ));
+            let engine = roster.named(id)?;
+            let item = item.to_owned();
+            let setting = match Setting::parse(parts) {
+                Ok(setting) => setting,
+                Err(refusal) => return Err(ListError::Setting { item, refusal }),
             };
-            let setting = Setting::parse(parts)
-                .map_err(|refusal| format!("{}: {refusal}", printable(item)))?;
             let column = Configuration::with(engine, setting);
             if !labels.insert(column.label()) {
-                return Err(format!("`{}` is listed twice", printable(item)));
+                return Err(ListError::Twice { item });
             }
             if columns.len() == MOST_COLUMNS {
-                return Err(format!(
-                    "more than {MOST_COLUMNS} engines are listed: every pair of them would be compared"
-                ));
+                return Err(ListError::TooMany);
             }
             columns.push(column);
         }
         Ok(columns)
     }
 
+    /// The column that a scene wants tried. Errors: the roster has no such engine.
+    pub fn tried(roster: &Roster, tried: &Tried) -> Result<Configuration, UnknownEngine> {
+        let setting = Setting {
+            values: tried.values().clone(),
+        };
+        Ok(Configuration::with(roster.named(tried.engine())?, setting))
+    }
+
     /// The column with what the scene's `try` asks of its engine, such as `stepper dt=0.1`; the column's own setting goes first.
     pub fn as_tried(&self, scene: &Scene) -> Self {
         let mut column = self.clone();
-        for asked in &scene.try_settings {
-            let mut words = asked.split_whitespace();
-            if words.next() != Some(self.engine.id()) {
-                continue;
-            }
-            for (key, value) in words.filter_map(|word| word.split_once('=')) {
-                let own = column.setting.values.entry(key.to_owned());
-                own.or_insert_with(|| value.to_owned());
+        let asked = scene.try_settings.iter();
+        for tried in asked.filter(|tried| tried.engine() == self.engine.id()) {
+            for (key, value) in tried.values() {
+                let own = column.setting.values.entry(key.clone());
+                own.or_insert_with(|| value.clone());
             }
         }
         column
@@ -134,6 +137,32 @@ impl fmt::Debug for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.label())
     }
+}
+
+/// Why a text is no list of engines.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ListError {
+    /// It names an engine that the roster has not.
+    #[error(transparent)]
+    Engine(#[from] UnknownEngine),
+    /// What stands after an engine is no setting.
+    #[error("{}: {refusal}", printable(.item))]
+    Setting {
+        /// The engine and what stands after it.
+        item: String,
+        /// What is wrong.
+        refusal: Refusal,
+    },
+    /// An engine is there twice with the same setting.
+    #[error("`{}` is listed twice", printable(.item))]
+    Twice {
+        /// The second of the two.
+        item: String,
+    },
+    /// It is longer than [`MOST_COLUMNS`].
+    #[error("more than {MOST_COLUMNS} engines are listed: every pair of them would be compared")]
+    TooMany,
 }
 
 /// The result of one cell that ran.

@@ -20,4 +20,4 @@ pub mod validation;
 
 pub use answer::Answer;
 pub use extent::Extent;
-pub use matrix::{Cell, Configuration, Ran, Timing, Watch};
+pub use matrix::{Cell, Configuration, ListError, Ran, Timing, Watch};

@@ -118,15 +118,21 @@ impl Recorder {
     }
 
     /// Both sides of what an event did to one ball.
+    #[inline]
     pub fn jump(&mut self, ball: usize, time: f64, before: &State, after: &State, event: u32) {
         if after.velocity.norm_squared() > 0.0 {
             self.stop_times[ball] = None;
         }
         let moved = (after.position - before.position).norm();
         raise(&mut self.extrema.displaced, moved, time, ball, None);
-        if self.record == Record::Final {
-            return;
+        if self.record != Record::Final {
+            self.keep(ball, time, before, after, event);
         }
+    }
+
+    /// Both sides as knots, kept out of the code of runs of which only the end is asked for.
+    #[inline(never)]
+    fn keep(&mut self, ball: usize, time: f64, before: &State, after: &State, event: u32) {
         add_knot(&mut self.paths[ball], time, before);
         self.paths[ball].knots.push(Knot {
             time,

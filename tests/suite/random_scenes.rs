@@ -192,10 +192,8 @@ fn a_trace_that_breaks_what_must_hold_is_seen() {
 #[test]
 fn the_try_of_a_scene_sets_what_the_command_line_leaves_open() {
     let mut scene = crate::support::report_break(0.01, 90.2);
-    scene.try_settings = vec![
-        "stepper dt=0.5 contact=as-written".to_owned(),
-        "exact partners=all".to_owned(),
-    ];
+    let tried = ["stepper dt=0.5 contact=as-written", "exact partners=all"];
+    scene.try_settings = tried.map(|line| line.parse().unwrap()).to_vec();
     for (list, label) in [
         ("stepper", "stepper contact=as-written dt=0.5"),
         ("stepper:dt=0.1", "stepper contact=as-written dt=0.1"),

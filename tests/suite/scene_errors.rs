@@ -121,6 +121,7 @@ const CASES: &[Case] = &[
     case(Kind::BadName, "a scene", "name = \"shot\"", "name = \"My first shot!\"", (1, 8)),
     case(Kind::BadName, "a richer scene", "duration = 5.0", "richer = \"rolling_ball\"\nduration = 5.0", (2, 10)),
     case(Kind::BadName, "a richer scene that is itself", "duration = 5.0", "richer = \"shot\"\nduration = 5.0", (2, 10)),
+    case(Kind::Duplicate, "a key of a setting", "duration = 5.0", "try = [\"stepper dt=0.1\", \"stepper dt=0.1 dt=0.2\"]\nduration = 5.0", (2, 26)),
     case(Kind::BadName, "a setting", "duration = 5.0", "try = [\"stepper dt=0.1\", \"dt=0.1\"]\nduration = 5.0", (2, 26)),
     case(Kind::BadName, "a ball called like a cushion", "[shot.velocity]", "[[balls]]\nid = \"x0\"\nposition = [7.0, 7.0]\n[shot.velocity]", (14, 6)),
     case(Kind::BadName, "a ball called like a pocket", "[shot.velocity]", "[[balls]]\nid = \"p12\"\nposition = [7.0, 7.0]\n[shot.velocity]", (14, 6)),

@@ -222,13 +222,7 @@ impl Engine for Exact {
 
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {
         // the bounds of the other promises are those of f64
-        if matches!(
-            setting.read(),
-            Ok(Settings {
-                precision: Precision::F32,
-                ..
-            })
-        ) {
+        if Exact::precision(setting) == Some(Precision::F32) {
             return vec![Invariant::Finite, Invariant::Rerun];
         }
         let mut promised = vec![
@@ -298,15 +292,10 @@ impl Engine for Exact {
     }
 
     fn ablations(&self, _scene: &Scene, setting: &Setting) -> Vec<(Name, Setting)> {
-        match setting.read::<Settings>() {
-            Ok(Settings {
-                precision: Precision::F32,
-                ..
-            }) => {
-                vec![(
-                    "the arithmetic".into(),
-                    setting.clone().with(PRECISION, Precision::F64.id()),
-                )]
+        match Exact::precision(setting) {
+            Some(Precision::F32) => {
+                let finer = setting.clone().with(PRECISION, Precision::F64.id());
+                vec![("the arithmetic".into(), finer)]
             }
             _ => Vec::new(),
         }

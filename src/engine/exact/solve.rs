@@ -25,6 +25,7 @@ use crate::math::Real;
 use crate::physics::Side;
 use crate::scene::Scene;
 use crate::trace::{Counter, Ending, Provenance, Record, Trace};
+use std::array;
 
 /// A run in the scalar `T` that has not begun.
 #[derive(Clone, Debug)]
@@ -270,10 +271,7 @@ impl<T: Real> Loop<'_, T> {
         let window = world.time_error(self.balls.now(), impact.closing) * T::lift(2.0);
         let reach = world.touching + world.fastest * window;
         let mut watch = Watch::new(reach, Some(impact.encounter));
-        let mut next = [Candidate::none(); N];
-        for (i, next) in next.iter_mut().enumerate() {
-            *next = self.foresee(i, sides, &mut watch);
-        }
+        let next: [Candidate<T>; N] = array::from_fn(|i| self.foresee(i, sides, &mut watch));
         let ending = if watch.is_clear() {
             None
         } else {
@@ -292,8 +290,8 @@ impl<T: Real> Loop<'_, T> {
         for side in sides {
             self.balls.set_off(side.ball, &side.course);
         }
-        for (side, next) in sides.iter().zip(next) {
-            self.agenda.schedule(side.ball, next);
+        for (side, next) in sides.iter().zip(&next) {
+            self.agenda.schedule(side.ball, *next);
         }
         self.journal.impact(&self.balls, impact);
         ending

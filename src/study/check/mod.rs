@@ -143,15 +143,14 @@ enum Unit {
 
 /// The columns in which a scene runs: the given ones, then what its `try` asks of each engine that is given with its defaults.
 ///
-/// Errors: the scene asks for a setting that is none.
+/// Errors: the scene asks for an engine that is none.
 pub fn plan(
     roster: &Roster,
     scene: &Scene,
     columns: &[Configuration],
 ) -> Result<Vec<Configuration>, PlanError> {
     let mut planned = columns.to_vec();
-    for text in &scene.try_settings {
-        let asked = tried(roster, scene, text)?;
+    for asked in tried(roster, scene)? {
         let given = |column: &&Configuration| {
             column.engine.id() == asked.engine.id() && column.setting.values.is_empty()
         };
@@ -168,7 +167,7 @@ pub fn plan(
 
 /// Runs the scenes in the columns and in what they ask for. Answers the same to the bit for any number of threads.
 ///
-/// Errors: a scene asks for a setting that is none.
+/// Errors: a scene asks for an engine that is none.
 pub fn study(
     roster: &Roster,
     scenes: &[Scene],

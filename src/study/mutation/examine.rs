@@ -130,7 +130,7 @@ pub fn trace_files(texts: &Files) -> Examined {
 pub fn engine_list(roster: &Roster, list: &str, scene: &Scene) -> Examined {
     let columns = match Configuration::list(roster, list) {
         Ok(columns) => columns,
-        Err(words) if words.trim().is_empty() => return Err(fault("no-words", list)),
+        Err(error) if error.to_string().trim().is_empty() => return Err(fault("no-words", list)),
         Err(_) => return Ok(false),
     };
     let labels: Vec<String> = columns.iter().map(Configuration::label).collect();

@@ -1,8 +1,8 @@
 //! Which runs a matrix of hard cases needs: presets, steps from coarse to fine, what a scene asks for; and which cost too much.
 
-use crate::engine::{Roster, Setting};
+use crate::engine::{Roster, UnknownEngine};
 use crate::oracle::Oracle;
-use crate::scene::Scene;
+use crate::scene::{Scene, Tried};
 use crate::study::matrix::Configuration;
 use crate::trace::Ending;
 use thiserror::Error;
@@ -64,15 +64,15 @@ pub struct Planned {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// A scene asks for a setting that is none.
-    #[error("scene {scene}: `try = \"{setting}\"`: {why}")]
+    /// A scene asks for an engine that is none.
+    #[error("scene {scene}: `try = \"{tried}\"`: {unknown}")]
     Try {
         /// Name of the scene.
         scene: String,
-        /// The setting as written.
-        setting: String,
-        /// What is wrong with it.
-        why: String,
+        /// What it asks for, as written.
+        tried: String,
+        /// That there is no such engine, and which there are.
+        unknown: UnknownEngine,
     },
 }
 
@@ -146,8 +146,7 @@ pub fn cells(
             }
         }
     }
-    for text in &scene.try_settings {
-        let column = tried(roster, scene, text)?;
+    for column in tried(roster, scene)? {
         if presets
             .iter()
             .any(|preset| preset.engine.id() == column.engine.id())
@@ -170,22 +169,19 @@ pub fn reach_of(
     own.map(|cell| cell.reach)
 }
 
-/// `ENGINE KEY=VALUE ...` as a column.
+/// The columns that a scene wants tried, in order. Errors: it asks for an engine that is none.
 pub(in crate::study) fn tried(
     roster: &Roster,
     scene: &Scene,
-    text: &str,
-) -> Result<Configuration, PlanError> {
-    let wrong = |why: String| PlanError::Try {
-        scene: scene.name.clone(),
-        setting: text.to_owned(),
-        why,
+) -> Result<Vec<Configuration>, PlanError> {
+    let column = |tried: &Tried| {
+        Configuration::tried(roster, tried).map_err(|unknown| PlanError::Try {
+            scene: scene.name.clone(),
+            tried: tried.to_string(),
+            unknown,
+        })
     };
-    let mut words = text.split_whitespace();
-    let id = words.next().unwrap_or_default();
-    let engine = (roster.find(id)).ok_or_else(|| wrong(format!("no engine is called `{id}`")))?;
-    let setting = Setting::parse(words).map_err(|refusal| wrong(refusal.to_string()))?;
-    Ok(Configuration::with(engine, setting))
+    scene.try_settings.iter().map(column).collect()
 }
 
 /// The step of a column, s; `None` for an engine without one.

@@ -147,7 +147,7 @@ pub fn columns(roster: &Roster, list: &str) -> Result<Vec<Configuration>, Proble
 fn listed(roster: &Roster, list: &str, field: &str) -> Result<Vec<Configuration>, Problem> {
     Configuration::list(roster, list).map_err(|why| {
         let help = format!("such as {}", example(roster));
-        Problem::at(field, why, help)
+        Problem::at(field, why.to_string(), help)
     })
 }
 

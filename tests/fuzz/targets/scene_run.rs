@@ -22,7 +22,8 @@ fuzz_target!(|bytes: &[u8]| {
         max_events: MAX_EVENTS,
         ..Limits::NONE
     };
-    scene.try_settings = vec![format!("stepper dt={:e}", scene.duration / STEPS)];
+    let tried = format!("stepper dt={:e}", scene.duration / STEPS);
+    scene.try_settings = vec![tried.parse().unwrap()];
     for column in Configuration::presets(&Roster::built_in(), |preset| preset.sound) {
         let column = column.as_tried(&scene);
         if let Ok((_, _, verdict)) = judge(&scene, &column, &limits, true) {

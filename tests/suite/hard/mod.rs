@@ -8,10 +8,10 @@ mod symmetry;
 
 use crate::support::run;
 use carom::compare::deepest_overlap;
-use carom::engine::Setting;
 use carom::math::Vec3;
 use carom::physics::State;
 use carom::scene::{Scene, SetName, catalogue};
+use carom::study::Configuration;
 use carom::trace::{Ending, Record, Trace};
 use std::collections::BTreeSet;
 
@@ -68,17 +68,11 @@ fn more_than_forty_hard_scenes_run_without_being_asked_for_in_full() {
 fn what_a_scene_wants_tried_is_an_engine_and_settings_that_it_knows() {
     let mut tried = 0;
     for scene in hard() {
-        for text in &scene.try_settings {
-            let mut words = text.split_whitespace();
-            let id = words.next().unwrap_or_default();
-            let engine = crate::support::roster()
-                .iter()
-                .find(|engine| engine.id() == id);
-            let engine = engine.unwrap_or_else(|| panic!("{}: no engine {id}", scene.name));
-            let setting =
-                Setting::parse(words).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
-            if let Err(refusal) = engine.prepare(&scene, &setting) {
-                panic!("{}: {text}: {refusal}", scene.name);
+        for asked in &scene.try_settings {
+            let column = Configuration::tried(crate::support::roster(), asked)
+                .unwrap_or_else(|unknown| panic!("{}: {unknown}", scene.name));
+            if let Err(refusal) = column.engine.prepare(&scene, &column.setting) {
+                panic!("{}: {asked}: {refusal}", scene.name);
             }
             tried += 1;
         }
