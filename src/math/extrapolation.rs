@@ -11,38 +11,54 @@ const ROWS: usize = 8;
 
 /// A step that met its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step<T, const N: usize> {
+pub struct Step<S> {
     /// The solution at the end of the step.
-    pub end: [T; N],
+    pub end: S,
     /// Largest difference of a component from that of the extrapolation of one order less.
     pub error: f64,
-    /// Rows that were needed, 2 to 8: few for a step that could have been longer.
+    /// Rows that were needed, 2 to the most that were allowed: few for a step that could have been longer.
     pub rows: usize,
 }
 
 /// The solution of `dy/dx = rate(y)` from `start` over `length`; `None` if its error stays above `tolerance`, absolute.
-pub fn step<T: Real, const N: usize>(
-    rate: impl Fn(&[T; N]) -> [T; N],
-    start: &[T; N],
+///
+/// `S`: the components, an array or a `Vec`. Eight rows at most, of order 16.
+pub fn step<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
+    rate: impl Fn(&S) -> S,
+    start: &S,
     length: T,
     tolerance: f64,
-) -> Option<Step<T, N>> {
+) -> Option<Step<S>> {
+    step_within(ROWS, rate, start, length, tolerance)
+}
+
+/// The same with at most so many `rows`, of order `2 rows`: more digits are cheaper with more of them.
+pub fn step_within<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
+    rows: usize,
+    rate: impl Fn(&S) -> S,
+    start: &S,
+    length: T,
+    tolerance: f64,
+) -> Option<Step<S>> {
     let first = rate(start);
-    let mut table: Vec<[T; N]> = Vec::with_capacity(ROWS);
-    for row in 0..ROWS {
+    let mut table: Vec<S> = Vec::with_capacity(rows);
+    for row in 0..rows {
         let mut entry = midpoint(&rate, start, &first, length, 2 * (row + 1));
         let mut error = f64::INFINITY;
         // each entry from its left and upper left neighbours; `table` holds the row above
         for (column, above) in table.iter_mut().enumerate() {
             let (fine, coarse) = ((row + 1).pow(2) as f64, (row - column).pow(2) as f64);
             let weight = T::lift(coarse) / T::lift(fine - coarse);
-            let better = std::array::from_fn(|i| entry[i] + (entry[i] - above[i]) * weight);
-            error = (0..N)
-                .map(|i: usize| (better[i] - entry[i]).abs().to_f64())
-                .fold(0.0, super::worse);
-            *above = std::mem::replace(&mut entry, better);
+            error = 0.0;
+            // the better entry takes the place of the plain one, which moves up
+            for (entry, above) in entry.as_mut().iter_mut().zip(above.as_mut()) {
+                let better = *entry + (*entry - *above) * weight;
+                error = super::worse(error, (better - *entry).abs().to_f64());
+                *above = *entry;
+                *entry = better;
+            }
         }
-        table.push(entry);
+        table.push(entry.clone());
         if error <= tolerance {
             return Some(Step {
                 end: entry,
@@ -55,22 +71,26 @@ pub fn step<T: Real, const N: usize>(
 }
 
 /// The modified midpoint rule with an even number of substeps.
-fn midpoint<T: Real, const N: usize>(
-    rate: &impl Fn(&[T; N]) -> [T; N],
-    start: &[T; N],
-    first: &[T; N],
+fn midpoint<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
+    rate: &impl Fn(&S) -> S,
+    start: &S,
+    first: &S,
     length: T,
     substeps: usize,
-) -> [T; N] {
+) -> S {
     let h = length / T::lift(substeps as f64);
     let twice = h + h;
-    let mut before = *start;
-    let mut now: [T; N] = std::array::from_fn(|i| start[i] + first[i] * h);
+    let mut before = start.clone();
+    let mut now = start.clone();
+    for (now, slope) in now.as_mut().iter_mut().zip(first.as_ref()) {
+        *now += *slope * h;
+    }
     for _ in 1..substeps {
         let slope = rate(&now);
-        let next = std::array::from_fn(|i| before[i] + slope[i] * twice);
-        before = now;
-        now = next;
+        for (before, slope) in before.as_mut().iter_mut().zip(slope.as_ref()) {
+            *before += *slope * twice;
+        }
+        std::mem::swap(&mut before, &mut now);
     }
     now
 }

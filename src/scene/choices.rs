@@ -54,7 +54,10 @@ pub enum Simultaneous {
     /// End the run as indeterminate and say where: there is no unique answer.
     #[default]
     Refuse,
-    /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012).
+    /// Reflect the velocities of all touching balls together, again and again, until none approach (Smith et al. 2012). With restitution:
+    /// (1 - e) of the inelastic projection and e of the reflections, e the smallest of the contacts that take an impulse together. Friction
+    /// acts while these impulses grow together, until their work is what it is without it. A cushion with friction takes turns with the
+    /// other contacts, and the answer is the mean over the orders.
     GeneralizedReflections,
     /// A single run ends as with `refuse`: the answer is a distribution over small gaps.
     Ensemble,

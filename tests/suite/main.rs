@@ -25,6 +25,7 @@ mod exact_endings;
 mod exact_laws;
 mod exact_reflections;
 mod exact_scale;
+mod exact_simultaneous;
 mod exact_symmetries;
 mod functions;
 mod hard;

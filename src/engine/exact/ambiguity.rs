@@ -142,7 +142,11 @@ pub fn indeterminate<T: Real>(balls: &Kinematics<'_, T>, cluster: &[usize]) -> E
         Simultaneous::Ensemble => {
             "; the scene asks for an ensemble of small gaps, which `carom ensemble` runs"
         }
-        Simultaneous::Refuse | Simultaneous::GeneralizedReflections => "",
+        Simultaneous::Refuse => {
+            "; a scene can name a convention, simultaneous = \"generalized-reflections\", or ask for small gaps, \
+             simultaneous = \"ensemble\""
+        }
+        Simultaneous::GeneralizedReflections => "",
     };
     Ending::Indeterminate(balls.spot(
         cluster,

@@ -7,11 +7,11 @@
 use super::agenda::Agenda;
 use super::ambiguity::indeterminate;
 use super::impact::{Arrival, ImpactSide};
+use super::instant::{Change, Exchange, Resolved};
 use super::kinematics::Kinematics;
-use super::reflections::{Approaching, Constraint, Reflected};
 use super::simultaneous::{Cluster, Touch};
 use crate::math::Real;
-use crate::physics::{Contact, Cushion, Side};
+use crate::physics::Side;
 use crate::trace::Ending;
 
 /// A gap larger than this part of the smallest radius is none that a convention about touching balls can close.
@@ -55,6 +55,8 @@ pub struct RowSide<T: Real> {
     pub before: [T; 2],
     /// Velocity after it.
     pub after: [T; 2],
+    /// Angular velocity before and after it, where the instant changes it.
+    pub spins: Option<[[T; 3]; 2]>,
     /// Whether it is the ball's last row of the instant.
     pub closes: bool,
 }
@@ -75,33 +77,37 @@ impl<T: Real> ClusterImpact<T> {
         if reaches_out(balls, &cluster) {
             return Err(indeterminate(balls, &cluster.balls));
         }
-        let constraints = constraints(&cluster);
-        let mass = cluster.masses();
-        let Some(found) = reflect(&cluster, &constraints, &mass) else {
+        let Some(found) = cluster.resolve() else {
             return Err(Ending::Collapsed(balls.spot(
                 &cluster.balls,
                 "reflections of the contacts at one instant follow each other without end",
             )));
         };
-        let sides = cluster.balls.iter().zip(&found.velocities);
-        let sides = sides.map(|(ball, after)| Arrival::of(balls, *ball).pushed(balls, *after));
+        let motions = found.velocities.iter().zip(&found.spins);
+        let sides = cluster.balls.iter().zip(motions);
+        let sides = sides
+            .map(|(ball, (after, spin))| Arrival::of(balls, *ball).leaving(balls, *after, *spin));
         let sides: Vec<ImpactSide<T>> = sides.collect();
         if !sides.iter().all(ImpactSide::is_finite) {
             return Err(Ending::NotFinite(
                 balls.spot(&cluster.balls, "the impacts left no finite velocity"),
             ));
         }
-        let leaves = |side: &ImpactSide<T>| side.after != side.before || seeds.contains(&side.ball);
+        let turned = |side: &ImpactSide<T>| side.spin_after != side.spin_before;
+        let leaves = |side: &ImpactSide<T>| {
+            side.after != side.before || turned(side) || seeds.contains(&side.ball)
+        };
         Ok(ClusterImpact {
-            rows: rows(&cluster, &constraints, &mass, &found),
+            rows: rows(&cluster, &found),
             leaving: (0..sides.len()).filter(|i| leaves(&sides[*i])).collect(),
             sides,
         })
     }
 
-    /// Takes over how the balls turn that have set off: the convention leaves spins alone, and a ball that rolls on turns as it rolls.
+    /// Takes over how the balls turn that have set off and whose spin no contact has changed: one that rolls on turns as it rolls.
     pub fn turn_as(&mut self, balls: &Kinematics<'_, T>) {
-        for side in &mut self.sides {
+        let unturned = |side: &&mut ImpactSide<T>| side.spin_after == side.spin_before;
+        for side in self.sides.iter_mut().filter(unturned) {
             side.spin_before = balls.spin_now(side.ball);
             side.spin_after = side.spin_before;
         }
@@ -111,57 +117,6 @@ impl<T: Real> ClusterImpact<T> {
     pub fn leaving(&self) -> impl Iterator<Item = &ImpactSide<T>> + Clone {
         self.leaving.iter().map(|member| &self.sides[*member])
     }
-}
-
-/// Reflects the cluster; `None` if there is no end to it, or a law loses energy or rubs.
-fn reflect<T: Real>(
-    cluster: &Cluster<'_, T>,
-    constraints: &[Constraint<T>],
-    mass: &[T],
-) -> Option<Reflected<T>> {
-    // exhaustive: a law with losses or friction has to say here what it means for several contacts
-    match (cluster.world.contact, cluster.world.cushion) {
-        (None | Some(Contact::Elastic {}), None | Some(Cushion::Elastic {})) => {}
-        (Some(Contact::Inelastic { .. }), _)
-        | (
-            _,
-            Some(
-                Cushion::Restitution { .. }
-                | Cushion::Han2005 { .. }
-                | Cushion::Mathavan2010 { .. },
-            ),
-        ) => return None,
-    }
-    let approaching = Approaching {
-        constraints,
-        mass,
-        velocities: &cluster.velocities,
-        slow: cluster.world.blur.speed,
-    };
-    // what reflects is smooth, and leaves spins alone
-    let mut spins = cluster.spins.clone();
-    approaching.reflect(|contact, velocities| {
-        cluster.apply(cluster.touches[contact], velocities, &mut spins);
-    })
-}
-
-/// The contacts of a cluster as bounds on velocities, in the order of its touches.
-fn constraints<T: Real>(cluster: &Cluster<'_, T>) -> Vec<Constraint<T>> {
-    let bound = |touch: &Touch<T>| match *touch {
-        Touch::Pair(a, b, n) => Constraint {
-            first: (a, [n.x, n.y]),
-            second: Some((b, [-n.x, -n.y])),
-        },
-        Touch::Cushion(a, side) => {
-            let mut outward = [T::zero(); 2];
-            outward[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
-            Constraint {
-                first: (a, outward),
-                second: None,
-            }
-        }
-    };
-    cluster.touches.iter().map(bound).collect()
 }
 
 /// Whether a contact of the cluster is one only because the time of the instant is uncertain: an impact that is slow beside
@@ -186,43 +141,47 @@ fn reaches_out<T: Real>(balls: &Kinematics<'_, T>, cluster: &Cluster<'_, T>) -> 
     })
 }
 
-/// The impulses one after the other, each from where the ones before left its members; the last of a member leaves it with
-/// exactly its velocity after the instant.
-fn rows<T: Real>(
-    cluster: &Cluster<'_, T>,
-    constraints: &[Constraint<T>],
-    mass: &[T],
-    found: &Reflected<T>,
-) -> Vec<ContactRow<T>> {
+/// The contacts one after the other, each from where the ones before left its members; the last of a member leaves it with
+/// exactly its motion after the instant.
+fn rows<T: Real>(cluster: &Cluster<'_, T>, found: &Resolved<T>) -> Vec<ContactRow<T>> {
     let mut now = cluster.velocities.clone();
+    let mut turning = cluster.spins.clone();
     let mut rows: Vec<ContactRow<T>> = Vec::new();
-    for (place, (contact, impulse)) in found.impulses.iter().enumerate() {
-        let before = now.clone();
-        constraints[*contact].push(*impulse, mass, &mut now);
-        let later = &found.impulses[place + 1..];
-        let mut side = |member: usize| {
-            let again =
-                |(other, _): &(usize, T)| constraints[*other].members().any(|m| m == member);
+    for (place, exchange) in found.exchanges.iter().enumerate() {
+        let later = &found.exchanges[place + 1..];
+        let mut side = |change: &Change<T>| {
+            let member = change.member;
+            let again = |other: &Exchange<T>| other.changes.iter().any(|c| c.member == member);
             let closes = !later.iter().any(again);
+            let (before, turned) = (now[member], turning[member]);
             if closes {
                 now[member] = found.velocities[member];
+                turning[member] = found.spins[member];
+            } else {
+                now[member] = [0, 1].map(|i| before[i] + change.velocity[i]);
+                turning[member] = [0, 1, 2].map(|i| turned[i] + change.spin[i]);
             }
+            let spins = found.spins[member] != cluster.spins[member];
             RowSide {
                 member,
-                before: before[member],
+                before,
                 after: now[member],
+                spins: spins.then_some([turned, turning[member]]),
                 closes,
             }
         };
-        rows.push(match cluster.touches[*contact] {
-            Touch::Pair(a, b, _) => ContactRow {
-                first: side(a),
-                second: Met::Ball(side(b)),
-            },
-            Touch::Cushion(a, edge) => ContactRow {
-                first: side(a),
-                second: Met::Cushion(edge),
-            },
+        let sides: Vec<RowSide<T>> = exchange.changes.iter().map(&mut side).collect();
+        let second = match (cluster.touches[exchange.contact], sides.get(1)) {
+            (Touch::Cushion(_, edge), _) => Met::Cushion(edge),
+            (Touch::Pair(..), Some(second)) => Met::Ball(*second),
+            (Touch::Pair(..), None) => continue,
+        };
+        let Some(first) = sides.first() else {
+            continue;
+        };
+        rows.push(ContactRow {
+            first: *first,
+            second,
         });
     }
     rows

@@ -73,11 +73,6 @@ impl<T: Real> Arrival<T> {
         self.leaving(balls, settled(self.velocity, motion), spin)
     }
 
-    /// The same after an impact that leaves its spin alone.
-    pub fn pushed(&self, balls: &Kinematics<'_, T>, velocity: [T; 2]) -> ImpactSide<T> {
-        self.leaving(balls, velocity, self.spin)
-    }
-
     #[inline]
     fn body(&self, balls: &Kinematics<'_, T>) -> Body<T> {
         Body {

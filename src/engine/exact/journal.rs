@@ -93,12 +93,19 @@ impl<T: Real> Journal<T> {
             self.recorder
                 .energy_change(balls.now().to_f64(), gained, first.ball, None);
         }
-        let side = |of: &RowSide<T>| ImpactSide {
-            // by an earlier contact of the instant, if by nothing else
-            moved: true,
-            before: of.before,
-            after: of.after,
-            ..cluster.sides[of.member]
+        let side = |of: &RowSide<T>| {
+            let whole = cluster.sides[of.member];
+            let [spin_before, spin_after] =
+                (of.spins).unwrap_or([whole.spin_before, whole.spin_after]);
+            ImpactSide {
+                // by an earlier contact of the instant, if by nothing else
+                moved: true,
+                before: of.before,
+                after: of.after,
+                spin_before,
+                spin_after,
+                ..whole
+            }
         };
         for row in &cluster.rows {
             let first = side(&row.first);

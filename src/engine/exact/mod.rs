@@ -6,8 +6,9 @@
 //! - `predict`: the next event of one ball, by the root finders of `math::first_root`; `queue`: which ball is next; `cells`: who may
 //!   meet whom, where there are many balls; `agenda`: the three together.
 //! - `impact`, `phases`: what an event does, as a value that is decided before it is applied; `ambiguity`, `simultaneous`: whether
-//!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`, `reflections`: what
-//!   becomes of such an instant where the scene names a convention; `collapse`: when impacts without time passing are too many to be finite.
+//!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`: what becomes of such an instant
+//!   where the scene names a convention, by `instant` (losses), `reflections` (normal impulses) and `rubbing` (friction); `collapse`: when
+//!   impacts without time passing are too many to be finite.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
 //!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the
@@ -30,6 +31,7 @@ mod collapse;
 mod contact;
 pub mod flight;
 mod impact;
+mod instant;
 mod journal;
 mod kinematics;
 mod phases;
@@ -37,6 +39,7 @@ mod predict;
 mod queue;
 mod range;
 mod reflections;
+mod rubbing;
 pub mod sensitivity;
 mod sheet;
 mod simultaneous;
@@ -210,14 +213,9 @@ impl Engine for Exact {
         }]
     }
 
-    fn missing(&self, scene: &Scene) -> Vec<Name> {
-        // every law of the scene format is built; what a convention makes of touching balls is known for laws without losses only
-        match (scene.simultaneous, lossy(scene)) {
-            (Simultaneous::GeneralizedReflections, true) => {
-                vec!["generalized reflections with losses or friction".into()]
-            }
-            _ => Vec::new(),
-        }
+    fn missing(&self, _scene: &Scene) -> Vec<Name> {
+        // every law of the scene format is built, and every convention for any of them
+        Vec::new()
     }
 
     fn promises(&self, scene: &Scene, setting: &Setting) -> Vec<Invariant> {

@@ -32,7 +32,8 @@ pub struct Constraint<T> {
 }
 
 impl<T: Real> Constraint<T> {
-    fn ends(&self) -> impl Iterator<Item = (usize, [T; 2])> {
+    /// Its members with the directions in which they close.
+    pub fn ends(&self) -> impl Iterator<Item = (usize, [T; 2])> {
         std::iter::once(self.first).chain(self.second)
     }
 
@@ -58,8 +59,8 @@ impl<T: Real> Constraint<T> {
         }
     }
 
-    /// By how much a unit impulse at `other` lowers the closing speed here.
-    fn coupling(&self, other: &Self, mass: &[T]) -> T {
+    /// By how much a unit impulse at `other` lowers the closing speed here, 1/mass.
+    pub fn coupling(&self, other: &Self, mass: &[T]) -> T {
         let mut sum = T::zero();
         for (member, d) in self.ends() {
             for (one, e) in other.ends() {
@@ -71,7 +72,8 @@ impl<T: Real> Constraint<T> {
         sum
     }
 
-    fn meets(&self, other: &Self) -> bool {
+    /// Whether they share a ball.
+    pub fn meets(&self, other: &Self) -> bool {
         self.members()
             .any(|member| other.members().any(|one| one == member))
     }
@@ -132,7 +134,7 @@ impl<T: Real> Approaching<'_, T> {
                 return None;
             }
             let before = velocities.clone();
-            for group in groups(&closing, constraints) {
+            for group in groups(&closing, |a, b| constraints[a].meets(&constraints[b])) {
                 if let [contact] = group[..] {
                     let constraint = &constraints[contact];
                     let speed = constraint.closing(&before);
@@ -154,12 +156,31 @@ impl<T: Real> Approaching<'_, T> {
                 }
             }
         }
-        let counted = impulses.len() as f64;
+        let counted = impulses.len();
         let part = keep_energy(mass, self.velocities, &mut velocities);
         for (_, impulse) in &mut impulses {
             *impulse *= part;
         }
-        self.settle(&mut velocities, T::lift(CANCELLED * T::ULP * counted));
+        self.settle(&mut velocities, counted);
+        Some(Reflected {
+            velocities,
+            impulses,
+        })
+    }
+
+    /// The inelastic projection: the velocities nearest to these, in the metric of the masses, in which no contact closes. `None`
+    /// if there is no end to it.
+    pub fn project(&self) -> Option<Reflected<T>> {
+        let set: Vec<&Constraint<T>> = self.constraints.iter().collect();
+        let found = projection(&set, self.mass, self.velocities, self.slow)?;
+        let mut velocities = self.velocities.to_vec();
+        let mut impulses = Vec::new();
+        for (contact, impulse) in found.into_iter().enumerate() {
+            if impulse > T::zero() {
+                self.constraints[contact].push(impulse, self.mass, &mut velocities);
+                impulses.push((contact, impulse));
+            }
+        }
         Some(Reflected {
             velocities,
             impulses,
@@ -167,8 +188,9 @@ impl<T: Real> Approaching<'_, T> {
     }
 
     /// Rounding of cancelled velocities is no velocity: without this, balls that should rest would creep in a direction
-    /// that is noise.
-    fn settle(&self, velocities: &mut [[T; 2]], part: T) {
+    /// that is noise. `impulses`: how many there were.
+    pub fn settle(&self, velocities: &mut [[T; 2]], impulses: usize) {
+        let part = T::lift(CANCELLED * T::ULP * impulses as f64);
         let square = |v: &[T; 2]| v[0] * v[0] + v[1] * v[1];
         let fastest = self
             .velocities
@@ -265,15 +287,11 @@ fn refine<T: Real>(
     }
 }
 
-/// The contacts that approach, in groups that share no ball; each group and the list of groups in ascending order.
-fn groups<T: Real>(closing: &[usize], constraints: &[Constraint<T>]) -> Vec<Vec<usize>> {
+/// Contacts in groups that do not meet each other, as `meet` says; each group and the list of groups in ascending order.
+pub fn groups(contacts: &[usize], meet: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    for contact in closing {
-        let meets = |group: &Vec<usize>| {
-            group
-                .iter()
-                .any(|other| constraints[*contact].meets(&constraints[*other]))
-        };
+    for contact in contacts {
+        let meets = |group: &Vec<usize>| group.iter().any(|other| meet(*contact, *other));
         let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(meets);
         joined.push(vec![*contact]);
         groups = apart;
@@ -439,8 +457,9 @@ mod tests {
             second: Some((b, [-1.0, 0.0])),
         };
         let all = [contact(0, 1), contact(2, 3), contact(1, 4), contact(3, 5)];
-        let found = groups(&[0, 1, 2, 3], &all);
+        let meet = |a: usize, b: usize| all[a].meets(&all[b]);
+        let found = groups(&[0, 1, 2, 3], meet);
         assert_eq!(found, vec![vec![0, 2], vec![1, 3]]);
-        assert_eq!(groups(&[0, 3], &all), vec![vec![0], vec![3]]);
+        assert_eq!(groups(&[0, 3], meet), vec![vec![0], vec![3]]);
     }
 }

@@ -10,7 +10,7 @@ use super::agenda::Agenda;
 use super::kinematics::Kinematics;
 use super::world::World;
 use crate::math::Real;
-use crate::physics::{Body, Motion, Side, contact, cushion};
+use crate::physics::{Body, Contact, Cushion, Friction, Motion, Side, contact, cushion};
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
 
@@ -84,14 +84,7 @@ impl<'a, T: Real> Cluster<'a, T> {
         window: T,
         most: usize,
     ) -> Self {
-        let mut cluster = Cluster {
-            world,
-            balls: seeds.to_vec(),
-            velocities: Vec::new(),
-            spins: Vec::new(),
-            touches: Vec::new(),
-            whole: true,
-        };
+        let mut cluster = Cluster::of(world, seeds.to_vec(), Vec::new(), Vec::new(), Vec::new());
         let mut members: BTreeSet<usize> = seeds.iter().copied().collect();
         // pairs within reach, the smaller index first, with the vector between their centres
         let mut pairs = Vec::new();
@@ -152,6 +145,25 @@ impl<'a, T: Real> Cluster<'a, T> {
                     self.touches.push(Touch::Cushion(first, side));
                 }
             }
+        }
+    }
+
+    /// A cluster of these balls, which touch as `touches` say: whoever knows both, and need not look for them. `velocities`, `spins`: of
+    /// `balls`, in their order; touches are by place in `balls`.
+    pub fn of(
+        world: &'a World<T>,
+        balls: Vec<usize>,
+        velocities: Vec<[T; 2]>,
+        spins: Vec<[T; 3]>,
+        touches: Vec<Touch<T>>,
+    ) -> Self {
+        Cluster {
+            world,
+            balls,
+            velocities,
+            spins,
+            touches,
+            whole: true,
         }
     }
 
@@ -234,6 +246,25 @@ impl<'a, T: Real> Cluster<'a, T> {
     /// One impact by its law.
     pub fn apply(&self, touch: Touch<T>, velocities: &mut [[T; 2]], spins: &mut [[T; 3]]) {
         let world = self.world;
+        let laws = (world.contact, world.cushion);
+        self.meet(touch, laws, world.friction, velocities, spins);
+    }
+
+    /// One impact without loss and friction, whatever its law.
+    pub fn apply_elastic(&self, touch: Touch<T>, velocities: &mut [[T; 2]]) {
+        let laws = (Some(Contact::Elastic {}), Some(Cushion::Elastic {}));
+        self.meet(touch, laws, None, velocities, &mut self.spins.clone());
+    }
+
+    fn meet(
+        &self,
+        touch: Touch<T>,
+        (contact, cushion): (Option<Contact<T>>, Option<Cushion<T>>),
+        friction: Option<Friction<T>>,
+        velocities: &mut [[T; 2]],
+        spins: &mut [[T; 3]],
+    ) {
+        let world = self.world;
         let body = |member: usize| Body {
             velocity: spatial(velocities[member]),
             spin: spins[member].into(),
@@ -243,15 +274,14 @@ impl<'a, T: Real> Cluster<'a, T> {
         let plan = |motion: &Motion<T>| [motion.velocity.x, motion.velocity.y];
         match touch {
             Touch::Pair(a, b, n) => {
-                if let Some(law) = world.contact {
-                    let friction = world.friction;
+                if let Some(law) = contact {
                     let (one, other) = contact::impact(law, friction, &body(a), &body(b), &n);
                     (velocities[a], velocities[b]) = (plan(&one), plan(&other));
                     (spins[a], spins[b]) = (one.spin.into(), other.spin.into());
                 }
             }
             Touch::Cushion(a, side) => {
-                if let Some(law) = world.cushion {
+                if let Some(law) = cushion {
                     let motion = cushion::impact(law, &body(a), side).motion;
                     velocities[a] = plan(&motion);
                     spins[a] = motion.spin.into();

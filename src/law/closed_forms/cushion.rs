@@ -59,6 +59,10 @@ impl Audit<'_> {
         }
         if together {
             self.leave_out(TOGETHER);
+            if law.rotates() {
+                // a mean over orders: its direction is that of no impulse
+                return;
+            }
             let mut other = far.velocity - near.velocity;
             other.x = 0.0;
             let off = other.norm() + (far.surface - near.surface).norm();

@@ -182,6 +182,10 @@ impl Audit<'_> {
                 self.fault("hit-restitution", words);
             }
         }
+        if *together && self.scene.effects.friction.is_some() {
+            self.turns_as_pushed(meeting, party, change);
+            return (change, allowed);
+        }
         let want = party.sign * share * -rub.across;
         let got = change.dot(t);
         if let Some(off) = self.off(Part::Impact, (got - want).abs(), across) {
@@ -295,6 +299,27 @@ impl Audit<'_> {
         if let Some(off) = self.off(Part::Impact, (change - want).norm(), allowed) {
             let words = format!(
                 "{}: R times the spin of {} changes by {change:?} instead of {want:?}, {off}",
+                self.at(self.friction(), parties),
+                self.name(party.ball)
+            );
+            self.fault("hit-spin", words);
+        }
+    }
+
+    /// Among several contacts the size of the tangential impulse is that of a convention. Whatever it is, it acts at the end of the radius:
+    /// what it changes across turns the ball about the vertical, and what it lifts turns it about the line across, not about the normal.
+    fn turns_as_pushed(&mut self, meeting: &Meeting<'_>, party: Party<'_>, change: Vector2<f64>) {
+        let Meeting { parties, n, t, .. } = meeting;
+        let (near, far) = (&party.jump.near.spin, &party.jump.far.spin);
+        let turned = (far - near) * party.radius;
+        let want = -2.5 * party.sign * change.dot(t);
+        let about = plan(&turned).dot(n);
+        let off = (turned.z - want).abs() + about.abs();
+        let spinning = party.radius * (near.norm() + far.norm());
+        let allowed = 3.5 * self.chain() + self.grain * spinning;
+        if let Some(off) = self.off(Part::Impact, off, allowed) {
+            let words = format!(
+                "{}: R times the spin of {} changes by {turned:?} under {change:?}, {off}",
                 self.at(self.friction(), parties),
                 self.name(party.ball)
             );

@@ -232,10 +232,13 @@ fn what_a_law_integrates_is_an_error_of_the_events_after_it() {
 }
 
 #[test]
-fn what_has_no_meaning_for_the_convention_is_refused() {
-    let mut scene = everything(HAN, CONSTANT);
-    let engine = crate::support::find("exact").unwrap();
-    assert_eq!(engine.missing(&scene), Vec::<&str>::new());
-    scene.simultaneous = carom::scene::Simultaneous::GeneralizedReflections;
-    assert_eq!(engine.missing(&scene).len(), 1);
+fn a_shot_with_every_effect_runs_under_the_convention() {
+    for cushion in [HAN, "[effects.cushion.restitution]\ne = 0.85"] {
+        let mut scene = everything(cushion, CONSTANT);
+        scene.simultaneous = carom::scene::Simultaneous::GeneralizedReflections;
+        let engine = crate::support::find("exact").unwrap();
+        assert_eq!(engine.missing(&scene), Vec::<&str>::new());
+        let trace = crate::support::run("exact", &[], &scene, carom::trace::Record::Events);
+        assert!(trace.ending.is_complete(), "{:?}", trace.ending);
+    }
 }

@@ -369,7 +369,7 @@ impl<T: Real> Integration<T> {
 
     /// One step over the normal impulse `impulse`. A slip that ends slows the clock, so that its last part, in which its direction
     /// turns ever faster, is as smooth as the first.
-    fn advance(&self, impulse: f64, ends: Option<usize>) -> Option<Step<T, 6>> {
+    fn advance(&self, impulse: f64, ends: Option<usize>) -> Option<Step<[T; 6]>> {
         let start = &self.state;
         let Some(contact) = ends else {
             let rate = |state: &State<T>| self.contacts.rates(state, &self.modes);
@@ -393,7 +393,7 @@ impl<T: Real> Integration<T> {
     }
 
     /// One step to the goal, by what the goal is a value of: so it ends there exactly, derivatives included (Henon 1982).
-    fn land(&self, goal: Goal<T>) -> Option<Step<T, 6>> {
+    fn land(&self, goal: Goal<T>) -> Option<Step<[T; 6]>> {
         let length = match goal {
             Goal::Stopped => self.state[0],
             Goal::Returned(work) => work - self.state[WORK],
