@@ -77,6 +77,15 @@ impl<T: Real> ClusterImpact<T> {
         if reaches_out(balls, &cluster) {
             return Err(indeterminate(balls, &cluster.balls));
         }
+        ClusterImpact::of_cluster(balls, &cluster, seeds)
+    }
+
+    /// Resolves a cluster whose contacts are known; those of `seeds` leave in any case. Errors: the ending of a run that cannot go on from here.
+    pub fn of_cluster(
+        balls: &Kinematics<'_, T>,
+        cluster: &Cluster<'_, T>,
+        seeds: &[usize],
+    ) -> Result<Self, Ending> {
         let Some(found) = cluster.resolve() else {
             return Err(Ending::Collapsed(balls.spot(
                 &cluster.balls,
@@ -98,7 +107,7 @@ impl<T: Real> ClusterImpact<T> {
             side.after != side.before || turned(side) || seeds.contains(&side.ball)
         };
         Ok(ClusterImpact {
-            rows: rows(&cluster, &found),
+            rows: rows(cluster, &found),
             leaving: (0..sides.len()).filter(|i| leaves(&sides[*i])).collect(),
             sides,
         })

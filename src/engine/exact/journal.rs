@@ -201,18 +201,17 @@ impl<T: Real> Journal<T> {
         }
     }
 
-    /// An impact that stands for all `impacts` of an accumulation: its balls are on the way to the `limit`.
-    pub fn accumulation<const N: usize>(
+    /// An impact that stands for all `impacts` of an accumulation: its balls are on the way to the limit.
+    pub fn accumulation(
         &mut self,
         balls: &Kinematics<'_, T>,
-        impact: &Impact<T, N>,
-        members: &[Member<T>],
-        limit: &[Moving<T>],
+        encounter: Encounter,
+        passages: &[Passage<T>],
         impacts: u32,
     ) {
         let time = balls.now().to_f64();
         let mut gained = 0.0;
-        let kind = match impact.encounter {
+        let kind = match encounter {
             Encounter::Pair(a, b) => {
                 self.ball_ball += 1;
                 EventKind::ball_ball(a, b)
@@ -224,21 +223,18 @@ impl<T: Real> Journal<T> {
         };
         self.count(balls.now());
         let event = self.recorder.event(time, kind, Some(u64::from(impacts)));
-        for ((side, member), end) in impact.sides.iter().zip(members).zip(limit) {
-            let after = member.moving;
-            let leaving = ImpactSide {
-                after: end.velocity,
-                spin_after: end.spin,
-                ..*side
-            };
-            gained += gain(balls, &leaving);
-            let before = balls.state(side.ball, side.position, side.before, side.spin_before);
-            let after = balls.state(side.ball, after.position, after.velocity, after.spin);
-            self.recorder.jump(side.ball, time, &before, &after, event);
+        let scene = balls.scene();
+        for passage in passages {
+            let ball = passage.ball;
+            let state = |m: &Moving<T>| balls.state(ball, m.position, m.velocity, m.spin);
+            let (before, end) = (state(&passage.before), state(&passage.end));
+            let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
+            gained += kinetic_energy(&end, mass, inertia) - kinetic_energy(&before, mass, inertia);
+            let leaving = state(&passage.leaving);
+            self.recorder.jump(ball, time, &before, &leaving, event);
         }
-        let (first, other) = (&impact.sides[0], impact.sides.get(1));
-        let other = other.map(|other| other.ball);
-        self.recorder.energy_change(time, gained, first.ball, other);
+        let (first, other) = kind.balls();
+        self.recorder.energy_change(time, gained, first, other);
     }
 
     /// What balls did that were held until now: states between which their acceleration is nearly constant.
@@ -359,6 +355,19 @@ impl<T: Real> Journal<T> {
         self.recorder
             .finish(balls.now().to_f64(), &balls.states(), ending, counters)
     }
+}
+
+/// A ball on its way to the limit of an accumulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// How it moves before the impact.
+    pub before: Moving<T>,
+    /// And after it.
+    pub leaving: Moving<T>,
+    /// How it moves at the limit.
+    pub end: Moving<T>,
 }
 
 fn both<T: Real>(balls: &Kinematics<'_, T>, side: &ImpactSide<T>) -> (State, State) {

@@ -11,6 +11,7 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
+use super::contact::nested::Knocks;
 use super::flight::{Ground, Phase};
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
@@ -81,6 +82,7 @@ impl<'a, T: Real> Solver<'a, T> {
             streaks: Streaks::new(balls.count()),
             slow: slow(&balls),
             foreseen: Vec::new(),
+            knocks: Knocks::new(),
             balls,
             journal,
         };
@@ -146,9 +148,11 @@ pub(super) struct Loop<'a, T: Real> {
     /// How often each ball was hit without time passing.
     streaks: Streaks<T>,
     /// The speed below which an impact may be one of an accumulation, length/s.
-    slow: T,
+    pub(super) slow: T,
     /// Where accumulations under way lead.
     pub(super) foreseen: Vec<Foreseen<T>>,
+    /// The slow impacts of late.
+    pub(super) knocks: Knocks<T>,
     pub(super) journal: Journal<T>,
 }
 
@@ -343,7 +347,7 @@ impl<T: Real> Loop<'_, T> {
 
     /// Counts impacts of balls while no time passes; answers when there are too many to be finite.
     #[inline]
-    fn streak<'s>(
+    pub(super) fn streak<'s>(
         &mut self,
         hit: impl IntoIterator<Item = &'s ImpactSide<T>> + Clone,
     ) -> Option<Ending> {
@@ -351,6 +355,13 @@ impl<T: Real> Loop<'_, T> {
         let collapsed = self.streaks.count(balls, self.balls.now())?;
         let balls: Vec<usize> = hit.into_iter().map(|side| side.ball).collect();
         Some(Ending::Collapsed(self.balls.spot(&balls, &collapsed)))
+    }
+
+    /// The same for balls that touch.
+    #[cold]
+    pub(super) fn streak_of(&mut self, balls: &[usize]) -> Option<Ending> {
+        let collapsed = self.streaks.count(balls.iter().copied(), self.balls.now())?;
+        Some(Ending::Collapsed(self.balls.spot(balls, &collapsed)))
     }
 
     /// The phase of a ball ends by itself.

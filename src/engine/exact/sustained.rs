@@ -5,15 +5,21 @@ use super::contact::arc::{Arc, Series};
 use super::contact::decide::{Undetermined, decide, member, settle};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::{Held, Next, encounter};
+use super::cluster_impact::ClusterImpact;
+use super::contact::nested::Together;
 use super::contact::tail;
 use super::impact::Impact;
+use super::journal::Passage;
 use super::kinematics::Kinematics;
 use super::predict::{Encounter, Row};
+use super::queue::What;
+use super::simultaneous::{self, Cluster};
 use super::solve::Loop;
 use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::Side;
 use crate::trace::{Ending, Partner};
+use nalgebra::Vector3;
 
 /// Below this part of the largest speed an impact may be one of an accumulation.
 pub const SLOW: f64 = 1e-3;
@@ -23,6 +29,12 @@ const NOISE: f64 = 100.0;
 
 /// Parties that touch and approach or part by no more than this many roundings of the fastest ball do neither.
 const STEADY: f64 = 64.0;
+
+/// Knocks that shrink together are followed further down than those of one encounter, by this factor: their limit is extrapolated.
+const FINER: f64 = 4.0;
+
+/// Rounds in which what is left of approaches at a limit is taken out.
+const ROUNDS: usize = 200;
 
 /// Stretches without length after which a group does not get on.
 const STUCK: u32 = 64;
@@ -49,17 +61,22 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn accumulates<const N: usize>(&mut self, impact: &Impact<T, N>) -> bool {
+        let (encounter, closing) = (impact.encounter, impact.closing);
+        if let Some(together) = self.knock(encounter, closing) {
+            self.go_together(encounter, together);
+            return true;
+        }
         let states = impact.sides.each_ref().map(|side| Moving {
             position: side.position,
             velocity: side.before,
             spin: side.spin_before,
         });
         let now = self.balls.now();
-        let Some(limit) = tail::limit(self.balls.world(), impact.encounter, &states) else {
+        let Some(limit) = tail::limit(self.balls.world(), encounter, &states) else {
             return false;
         };
         let found = Foreseen {
-            encounter: impact.encounter,
+            encounter,
             time: now + limit.after,
             states: limit.states,
         };
@@ -70,53 +87,102 @@ impl<T: Real> Loop<'_, T> {
                 && known.time > now
         });
         let chosen = known.cloned().unwrap_or(found);
-        self.foreseen
-            .retain(|known| known.time > now && known.encounter != chosen.encounter);
+        let others = |known: &Foreseen<T>| known.time > now && known.encounter != encounter;
+        self.foreseen.retain(others);
         self.foreseen.push(chosen.clone());
-        let world = self.balls.world();
-        let noise = (world.blur.length * world.strongest() * T::lift(2.0)).sqrt();
-        if impact.closing > noise * T::lift(NOISE) || self.comes_before(impact, chosen.time) {
+        let balls = impact.sides.each_ref().map(|side| side.ball);
+        if !self.is_noise(closing, 1.0) || self.comes_before(&balls, &[encounter], chosen.time) {
             return false;
         }
-        self.go_to_limit(impact, &states, chosen, limit.impacts);
+        let ends = balls.iter().copied().zip(chosen.states).collect();
+        self.go_to_limit(encounter, ends, &[encounter], chosen.time, limit.impacts);
         true
     }
 
-    /// Whether another event of the balls of an impact comes before `time`, s.
-    fn comes_before<const N: usize>(&mut self, impact: &Impact<T, N>, time: T) -> bool {
-        let mut comes = false;
-        for side in &impact.sides {
-            let mut flight = side.course.flight;
-            // the ends of their own phases are part of the accumulation
-            flight.end = T::lift(f64::INFINITY);
-            let row = Row::setting_off(&self.balls, side.ball, &flight).without(impact.encounter);
-            let next = self.agenda.foresee(&row, None);
-            comes |= next.time <= time;
-        }
-        comes || time > self.balls.world().duration
+    /// Notes a slow impact; answers where it leads together with others, if it can be left to that now.
+    fn knock(&mut self, encounter: Encounter, closing: T) -> Option<Together<T>> {
+        let balls = &self.balls;
+        let state = |ball: usize| balls.moving(ball);
+        let together = self.knocks.observe(balls.now(), encounter, closing, state)?;
+        let parties: Vec<usize> = together.states.iter().map(|(ball, _)| *ball).collect();
+        let ready = self.is_noise(closing, FINER)
+            && together.time > self.balls.now()
+            && !self.comes_before(&parties, &together.encounters, together.time);
+        ready.then_some(together)
     }
 
-    /// Puts the balls of an impact on the straight way to the limit of their accumulation.
-    fn go_to_limit<const N: usize>(
+    /// Whether an approach is so slow, by `times`, that rounding will soon say how it goes on.
+    fn is_noise(&self, closing: T, times: f64) -> bool {
+        let world = self.balls.world();
+        let noise = (world.blur.length * world.strongest() * T::lift(2.0)).sqrt();
+        closing <= noise * T::lift(NOISE * times)
+    }
+
+    /// Whether an event of balls besides their `encounters` comes before `time`, s.
+    fn comes_before(&mut self, balls: &[usize], encounters: &[Encounter], time: T) -> bool {
+        let mut comes = time > self.balls.world().duration;
+        for ball in balls {
+            if self.balls.is_held(*ball) {
+                continue;
+            }
+            let mut flight = *self.balls.flight(*ball);
+            // the ends of their own phases are part of the accumulation
+            flight.end = T::lift(f64::INFINITY);
+            let row = Row::setting_off(&self.balls, *ball, &flight);
+            let row = match encounters {
+                [one] => row.without(*one),
+                _ => row,
+            };
+            let next = self.agenda.foresee(&row, None);
+            let own = match next.what {
+                What::Pair(a, b) => encounters.contains(&Encounter::Pair(a as usize, b as usize)),
+                What::Cushion(a, side) => encounters.contains(&Encounter::Cushion(a as usize, side)),
+                _ => false,
+            };
+            comes |= next.time <= time && !own;
+        }
+        comes
+    }
+
+    /// Puts balls on the way to the limit of knocks that shrink together.
+    fn go_together(&mut self, encounter: Encounter, together: Together<T>) {
+        let Together {
+            time,
+            states,
+            encounters,
+        } = together;
+        self.knocks.clear();
+        for (ball, _) in &states {
+            self.give_up(*ball);
+        }
+        let mut ends = states;
+        calm(self.balls.world(), &encounters, &mut ends);
+        self.go_to_limit(encounter, ends, &encounters, time, 1);
+    }
+
+    /// Puts balls on the straight way to the limit of their accumulation.
+    fn go_to_limit(
         &mut self,
-        impact: &Impact<T, N>,
-        states: &[Moving<T>; N],
-        limit: Foreseen<T>,
+        encounter: Encounter,
+        ends: Vec<(usize, Moving<T>)>,
+        encounters: &[Encounter],
+        time: T,
         impacts: u32,
     ) {
         let now = self.balls.now();
-        let after = limit.time - now;
-        let balls = impact.sides.each_ref().map(|side| side.ball);
+        let after = time - now;
         let mut members = Vec::new();
         let mut series = Vec::new();
-        for ((ball, start), end) in balls.iter().zip(states).zip(&limit.states) {
+        let mut passages = Vec::new();
+        for (ball, end) in &ends {
+            let start = self.balls.moving(*ball);
             // through both ends with a constant acceleration
             let two = T::lift(2.0);
             let leaving = [0, 1]
                 .map(|i| (end.position[i] - start.position[i]) / after * two - end.velocity[i]);
             let moving = Moving {
                 velocity: leaving,
-                ..*start
+                ..start
             };
             let acceleration = [0, 1].map(|i| (end.velocity[i] - leaving[i]) / after);
             let rate = [0, 1, 2].map(|i| (end.spin[i] - start.spin[i]) / after);
@@ -127,21 +193,27 @@ impl<T: Real> Loop<'_, T> {
                 mode: Mode::Floats,
                 twist: Twist::Free,
             });
+            passages.push(Passage {
+                ball: *ball,
+                before: start,
+                leaving: moving,
+                end: *end,
+            });
         }
         self.journal
-            .accumulation(&self.balls, impact, &members, &limit.states, impacts);
-        let touch = match impact.encounter {
-            Encounter::Pair(..) => Touch::Pair(0, 1),
-            Encounter::Cushion(_, side) => Touch::Cushion(0, side),
-        };
-        let hold = Hold {
-            touch,
+            .accumulation(&self.balls, encounter, &passages, impacts);
+        let place = |ball: usize| ends.iter().position(|(b, _)| *b == ball).unwrap_or(0);
+        let holds = encounters.iter().map(|encounter| Hold {
+            touch: match *encounter {
+                Encounter::Pair(a, b) => Touch::Pair(place(a), place(b)),
+                Encounter::Cushion(a, side) => Touch::Cushion(place(a), side),
+            },
             pressed: true,
-        };
+        });
         self.hold(Held {
             group: Group {
+                holds: holds.collect(),
                 members,
-                holds: vec![hold],
             },
             arc: Arc {
                 length: after,
@@ -149,7 +221,7 @@ impl<T: Real> Loop<'_, T> {
                 changes: Vec::new(),
             },
             start: now,
-            next: Next::Limit(limit.states),
+            next: Next::Limit(ends.into_iter().map(|(_, end)| end).collect()),
             stuck: 0,
         });
     }
@@ -341,78 +413,127 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
         let gathered = self.gather(encounter);
+        let balls: Vec<usize> = gathered.members.iter().map(|m| m.ball).collect();
+        if let Some(ending) = self.streak_of(&balls) {
+            return Some(ending);
+        }
         self.go_on(gathered, &[], &[], 0)
     }
 
-    /// An impact into balls that are held, or that touch others: its law first, then what their contacts make of it.
+    /// An impact into balls that are held, or that touch others: all their contacts resolve it together.
     #[cold]
     #[inline(never)]
     pub(super) fn struck(&mut self, encounter: Encounter) -> Option<Ending> {
-        let gathered = self.gather(encounter);
-        let world = self.balls.world();
-        let mut members = gathered.members;
-        let ended = match encounter {
-            Encounter::Pair(a, b) => {
-                let impact = Impact::of_balls(&self.balls, world.contact?, a, b);
-                impact.fault(&self.balls).or_else(|| {
-                    self.strike(&impact, &mut members);
-                    None
-                })
+        let closing = -self.rate_of(encounter);
+        if closing < self.slow {
+            if closing <= self.balls.world().blur.speed * T::lift(STEADY) {
+                return self.touch(encounter);
             }
-            Encounter::Cushion(a, side) => {
-                let impact = Impact::on_cushion(&self.balls, world.cushion?, a, side);
-                impact.fault(&self.balls).or_else(|| {
-                    self.strike(&impact, &mut members);
-                    None
-                })
+            if let Some(together) = self.knock(encounter, closing) {
+                self.go_together(encounter, together);
+                return None;
             }
+        }
+        let mut gathered = self.gather(encounter);
+        let impact = match self.resolve(encounter, &gathered) {
+            Ok(impact) => impact,
+            Err(ending) => return Some(ending),
         };
-        if ended.is_some() {
-            return ended;
+        if let Some(ending) = self.streak(&impact.sides) {
+            return Some(ending);
         }
-        let steady: Vec<Touch> = gathered
-            .touches
-            .iter()
-            .copied()
-            .filter(|touch| {
-                encounter_of(&members, *touch) != encounter && self.is_steady(&members, *touch)
-            })
-            .collect();
-        for encounter in &gathered.held {
-            let stays = steady
-                .iter()
-                .any(|t| encounter_of(&members, *t) == *encounter);
-            if !stays {
-                self.journal.contact(&self.balls, *encounter, false);
-            }
-        }
-        let held = gathered.held;
-        self.go_on(
-            Gathered {
-                members,
-                touches: steady,
-                held,
-            },
-            &[],
-            &[],
-            0,
-        )
-    }
-
-    fn strike<const N: usize>(&mut self, impact: &Impact<T, N>, members: &mut [Member<T>]) {
         for side in &impact.sides {
+            self.balls.set_off(side.ball, &side.course);
             let moving = Moving {
                 position: side.position,
                 velocity: side.after,
                 spin: side.spin_after,
             };
             let next = member(self.balls.world(), side.ball, moving);
-            if let Some(known) = members.iter_mut().find(|m| m.ball == side.ball) {
+            let known = gathered.members.iter_mut().find(|m| m.ball == side.ball);
+            if let Some(known) = known {
                 *known = next;
             }
-            self.balls.set_off(side.ball, &side.course);
         }
-        self.journal.impact(&self.balls, impact);
+        self.journal.cluster_impact(&self.balls, &impact);
+        let Gathered {
+            members,
+            touches,
+            held,
+        } = gathered;
+        let steady = touches.iter().copied();
+        let steady = steady.filter(|touch| self.is_steady(&members, *touch));
+        let steady: Vec<Touch> = steady.collect();
+        for encounter in &held {
+            let stays = steady.iter().any(|t| encounter_of(&members, *t) == *encounter);
+            if !stays {
+                self.journal.contact(&self.balls, *encounter, false);
+            }
+        }
+        let gathered = Gathered {
+            members,
+            touches: steady,
+            held,
+        };
+        self.go_on(gathered, &[], &[], 0)
+    }
+
+    /// What the contacts of balls that touch make of an impact, all together.
+    fn resolve(
+        &self,
+        encounter: Encounter,
+        gathered: &Gathered<T>,
+    ) -> Result<ClusterImpact<T>, Ending> {
+        let world = self.balls.world();
+        let members = &gathered.members;
+        let touches = gathered.touches.iter().map(|touch| match *touch {
+            Touch::Pair(a, b) => {
+                let p = [0, 1].map(|i| members[b].moving.position[i] - members[a].moving.position[i]);
+                let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
+                let n = Vector3::new(p[0] / size, p[1] / size, T::zero());
+                simultaneous::Touch::Pair(a, b, n)
+            }
+            Touch::Cushion(a, side) => simultaneous::Touch::Cushion(a, side),
+        });
+        let cluster = Cluster::of(
+            world,
+            members.iter().map(|m| m.ball).collect(),
+            members.iter().map(|m| m.moving.velocity).collect(),
+            members.iter().map(|m| m.moving.spin).collect(),
+            touches.collect(),
+        );
+        let seeds: Vec<usize> = match encounter {
+            Encounter::Pair(a, b) => vec![a, b],
+            Encounter::Cushion(a, _) => vec![a],
+        };
+        ClusterImpact::of_cluster(&self.balls, &cluster, &seeds)
+    }
+
+    /// Rate of the gap of two parties now, length/s.
+    fn rate_of(&self, encounter: Encounter) -> T {
+        match encounter {
+            Encounter::Pair(a, b) => {
+                let ((p, v), (q, w)) = (self.balls.at(a), self.balls.at(b));
+                let p = [0, 1].map(|i| q[i] - p[i]);
+                (p[0] * (w[0] - v[0]) + p[1] * (w[1] - v[1])) / (p[0] * p[0] + p[1] * p[1]).sqrt()
+            }
+            Encounter::Cushion(a, side) => {
+                let v = self.balls.at(a).1[side.axis()];
+                if side.sign() < 0 { v } else { -v }
+            }
+        }
+    }
+
+    /// Gives up the group that holds a ball: until it is decided how its balls go on, they do as they would alone.
+    fn give_up(&mut self, ball: usize) {
+        if let Some(group) = self.balls.let_go(ball) {
+            self.journal.stretch(&self.balls, &group);
+            for m in &group.group.members {
+                let moving = self.balls.state_in(&group, m.ball);
+                let course = self.balls.course(m.ball, moving);
+                self.balls.set_off(m.ball, &course);
+            }
+        }
     }
 
     /// Whether two parties that touch neither approach nor part.
@@ -473,15 +594,7 @@ impl<T: Real> Loop<'_, T> {
         });
         let touches = touches.collect();
         for ball in &balls {
-            if let Some(group) = self.balls.let_go(*ball) {
-                self.journal.stretch(&self.balls, &group);
-                for m in &group.group.members {
-                    // until it is decided how they go on, they do as they would alone
-                    let moving = self.balls.state_in(&group, m.ball);
-                    let course = self.balls.course(m.ball, moving);
-                    self.balls.set_off(m.ball, &course);
-                }
-            }
+            self.give_up(*ball);
         }
         Gathered {
             members,
@@ -643,6 +756,40 @@ fn keep_contacts<T: Real>(
     }
     for (m, state) in group.members.iter().zip(states) {
         settle(world.radius[m.ball], m.mode, state);
+    }
+}
+
+/// Takes out of states at a limit what approach or parting the extrapolation left of encounters.
+fn calm<T: Real>(
+    world: &super::world::World<T>,
+    encounters: &[Encounter],
+    states: &mut [(usize, Moving<T>)],
+) {
+    for _ in 0..ROUNDS {
+        for encounter in encounters {
+            let place = |ball: usize| states.iter().position(|(b, _)| *b == ball);
+            match *encounter {
+                Encounter::Cushion(a, side) => {
+                    if let Some(a) = place(a) {
+                        states[a].1.velocity[side.axis()] = T::zero();
+                    }
+                }
+                Encounter::Pair(a, b) => {
+                    let (Some(i), Some(j)) = (place(a), place(b)) else {
+                        continue;
+                    };
+                    let share = world.mass[b] / (world.mass[a] + world.mass[b]);
+                    let (one, other) = (states[i].1, states[j].1);
+                    let p = [0, 1].map(|k| other.position[k] - one.position[k]);
+                    let v = [0, 1].map(|k| other.velocity[k] - one.velocity[k]);
+                    let along = (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]);
+                    for k in 0..2 {
+                        states[i].1.velocity[k] += p[k] * along * share;
+                        states[j].1.velocity[k] -= p[k] * along * (T::one() - share);
+                    }
+                }
+            }
+        }
     }
 }
 

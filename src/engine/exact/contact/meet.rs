@@ -92,13 +92,14 @@ pub fn closes<T: Real>(
     let mut t = from;
     if parting {
         let clear = blur.length * T::lift(CLEAR);
+        let (begins, _) = (gap.at)(from);
         let open = (0..=HALVINGS).rev().find_map(|halvings| {
             let t = from + (until - from) * T::lift(0.5_f64.powi(halvings));
-            let (size, _) = (gap.at)(t);
-            (size > clear || size < -clear).then_some((t, size))
+            let opened = (gap.at)(t).0 - begins;
+            (opened.abs() > clear).then_some((t, opened))
         });
         match open {
-            Some((opens, size)) if size > zero => t = opens,
+            Some((opens, opened)) if opened > zero => t = opens,
             Some((closes, _)) => return Some(closes),
             None => return None,
         }
