@@ -41,33 +41,58 @@ pub fn step_within<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
     tolerance: f64,
 ) -> Option<Step<S>> {
     let first = rate(start);
+    let weight = |row: usize, column: usize| {
+        let (fine, coarse) = ((row + 1).pow(2) as f64, (row - column).pow(2) as f64);
+        T::lift(coarse) / T::lift(fine - coarse)
+    };
+    let plain = |row: usize| Some(midpoint(&rate, start, &first, length, 2 * (row + 1)));
+    extrapolate(rows, tolerance, plain, weight)
+}
+
+/// Rows of an extrapolation until its last entries differ by no more than `tolerance`; `None` if none of so many `rows` does.
+///
+/// `plain`: the first entry of a row; `weight` of a row and a column: the part of the difference of two entries that leads to the next.
+pub(super) fn extrapolate<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
+    rows: usize,
+    tolerance: f64,
+    plain: impl Fn(usize) -> Option<S>,
+    weight: impl Fn(usize, usize) -> T,
+) -> Option<Step<S>> {
     let mut table: Vec<S> = Vec::with_capacity(rows);
     for row in 0..rows {
-        let mut entry = midpoint(&rate, start, &first, length, 2 * (row + 1));
-        let mut error = f64::INFINITY;
-        // each entry from its left and upper left neighbours; `table` holds the row above
-        for (column, above) in table.iter_mut().enumerate() {
-            let (fine, coarse) = ((row + 1).pow(2) as f64, (row - column).pow(2) as f64);
-            let weight = T::lift(coarse) / T::lift(fine - coarse);
-            error = 0.0;
-            // the better entry takes the place of the plain one, which moves up
-            for (entry, above) in entry.as_mut().iter_mut().zip(above.as_mut()) {
-                let better = *entry + (*entry - *above) * weight;
-                error = super::worse(error, (better - *entry).abs().to_f64());
-                *above = *entry;
-                *entry = better;
-            }
-        }
-        table.push(entry.clone());
+        let (end, error) = extrapolated(&mut table, plain(row)?, |column| weight(row, column));
         if error <= tolerance {
             return Some(Step {
-                end: entry,
+                end,
                 error,
                 rows: row + 1,
             });
         }
     }
     None
+}
+
+/// The next row: `table` holds the row above, and then this one. Answers the last entry and how far it is from the one before.
+fn extrapolated<T: Real, S: Clone + AsRef<[T]> + AsMut<[T]>>(
+    table: &mut Vec<S>,
+    plain: S,
+    weight: impl Fn(usize) -> T,
+) -> (S, f64) {
+    let (mut entry, mut error) = (plain, f64::INFINITY);
+    // each entry from its left and upper left neighbours
+    for (column, above) in table.iter_mut().enumerate() {
+        let weight = weight(column);
+        error = 0.0;
+        // the better entry takes the place of the plain one, which moves up
+        for (entry, above) in entry.as_mut().iter_mut().zip(above.as_mut()) {
+            let better = *entry + (*entry - *above) * weight;
+            error = super::worse(error, (better - *entry).abs().to_f64());
+            *above = *entry;
+            *entry = better;
+        }
+    }
+    table.push(entry.clone());
+    (entry, error)
 }
 
 /// The modified midpoint rule with an even number of substeps.

@@ -7,6 +7,7 @@ pub mod dual;
 pub mod extrapolation;
 pub mod first_root;
 pub mod grid;
+pub mod implicit;
 pub mod near;
 mod octuple;
 pub mod random;

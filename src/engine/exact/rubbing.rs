@@ -9,13 +9,15 @@
 //! of the slips: so they are unique, also where more contacts stick than there are motions, and an error of a step never grows.
 //! Where a slip vanishes or begins its direction turns ever faster; the clock runs slower there in proportion, `dtau = phi dsigma` with
 //! `1/phi = 1 + sum pull_k / |s_k|`, which makes the solution smooth. Steps are extrapolated, each to rounding. A slip
-//! that begins so slowly that it follows the forces is taken along the push that it withstands, until it has a size that can be followed.
+//! that begins slowly follows the forces: it is taken along the push that it withstands until it has a size, and then by an implicit rule,
+//! as an explicit one would have to follow how fast it turns into that direction.
 //!
 //! Speeds are in units of the largest there is, impulses in those that give the reduced mass of their contact such a speed.
 
 use super::reflections::Constraint;
 use crate::math::Real;
-use crate::math::extrapolation::step_within;
+use crate::math::extrapolation::{Step, step_within};
+use crate::math::implicit;
 
 /// A step is good to so many ulp: of the size of each slip, and of the unit of speed.
 const ULPS: f64 = 32.0;
@@ -35,8 +37,17 @@ const KICK: f64 = 1e-2;
 /// A slip that begins at less than this part of what friction could change is left to creep.
 const CREEPS: f64 = 1e-3;
 
-/// The size up to which a slip creeps, in units of speed: its direction lags by less than that part of a turn.
-const CREPT: f64 = 1e-9;
+/// The size up to which a slip creeps, in units of speed and roots of an ulp: its direction lags by less than that part of a turn.
+const CREPT: f64 = 0.01;
+
+/// A contact holds where the slip changes by less than this part of what friction could change.
+const HELD: f64 = 1e-12;
+
+/// A slip follows the forces where it changes by less than this part of what friction could do to it,
+const FOLLOWS: f64 = 0.05;
+
+/// and could end within this part of the whole.
+const SLOWED: f64 = 0.02;
 
 /// Sweeps over the contacts that stick, for the forces that hold them.
 const MOST_SWEEPS: u32 = 4000;
@@ -288,12 +299,76 @@ impl<'a, T: Real> Path<'a, T> {
         (tau - T::one()) * (half * (tau + T::one()) - self.power) - state[tail + 1]
     }
 
-    fn step(&self, state: &[T], length: T) -> Option<(Vec<T>, f64, usize)> {
-        let rows = match T::BITS {
-            0..=64 => 8,
-            65..=128 => 14,
+    /// The longest step in `tau` where a slip follows the forces, so that an explicit rule would be slow: no slip may end in it. `None` where
+    /// none follows.
+    fn follows(&self, state: &[T]) -> Option<T> {
+        let (rates, _) = self.rates(state);
+        let (mut follows, mut longest) = (false, T::one());
+        for (i, rub) in self.rubs.iter().enumerate() {
+            if self.slips[i] {
+                let (slip, rate) = (size(Self::slip(state, i)), size(Self::slip(&rates, i)));
+                follows |= rate < rub.pull * T::lift(FOLLOWS) && slip < rub.pull * T::lift(SLOWED);
+                longest = longest.at_most(slip / (rate + rate));
+            }
+        }
+        follows.then_some(longest)
+    }
+
+    /// A step, its error and how many rows of the extrapolation were spared. `length`: of the slowed clock, or of `tau` if `stiff`.
+    fn step(&self, state: &[T], length: T, stiff: bool) -> Option<(Vec<T>, f64, usize)> {
+        let rows = match (T::BITS, stiff) {
+            (0..=64, _) => 8,
+            (65..=128, false) => 14,
+            (65..=128, true) => 16,
             _ => 22,
         };
+        let Step {
+            end,
+            error,
+            rows: taken,
+        } = if stiff {
+            self.implicit(state, length, rows)?
+        } else {
+            self.explicit(state, length, rows)?
+        };
+        let holds = self.holds(state, &end);
+        let finite = end.iter().all(|x| x.is_finite());
+        (holds && finite).then_some((end, error, rows - taken))
+    }
+
+    /// Whether contacts that stick did so all through a step, or have crept all through it, and not far. The rules look at forces up to
+    /// the last of their substeps: one that gives way after it shows at the end.
+    fn holds(&self, state: &[T], end: &[T]) -> bool {
+        let (first, last) = (self.rates(state).0, self.rates(end).0);
+        let during = end[self.tail() + 2] - state[self.tail() + 2];
+        let mut still = (0..self.rubs.len()).filter(|i| !self.slips[*i]);
+        still.all(|i| {
+            let pull = self.rubs[i].pull;
+            let crept = size(Self::slip(&first, i)) > pull * T::lift(HELD);
+            let missed = size(Self::slip(&last, i)) * during;
+            let far = self.creeps() * T::lift(4.0);
+            size(Self::slip(end, i)) <= far && (crept || missed <= self.nothing())
+        })
+    }
+
+    /// The size up to which a slip creeps.
+    fn creeps(&self) -> T {
+        T::lift(CREPT * T::ULP.sqrt()).at_least(self.nothing())
+    }
+
+    /// The forces on a slip that follows them change as it does by a part of itself.
+    fn implicit(&self, state: &[T], length: T, rows: usize) -> Option<Step<Vec<T>>> {
+        let mut sizes = vec![T::zero(); state.len()];
+        for i in (0..self.rubs.len()).filter(|i| self.slips[*i]) {
+            let slip = size(Self::slip(state, i));
+            sizes[OF_RUB * i] = slip;
+            sizes[OF_RUB * i + 1] = slip;
+        }
+        let rate = |state: &[T]| self.rates(state).0;
+        implicit::step(rows, rate, state, &sizes, length, 2.0 * ULPS * T::ULP)
+    }
+
+    fn explicit(&self, state: &[T], length: T, rows: usize) -> Option<Step<Vec<T>>> {
         // a slip is followed to its own digits: it may be small, and gives a direction
         let mut scales = vec![T::one(); state.len()];
         for i in (0..self.rubs.len()).filter(|i| self.slips[*i]) {
@@ -315,9 +390,10 @@ impl<'a, T: Real> Path<'a, T> {
         };
         let start = over(state, T::one());
         let taken = step_within(rows, rate, &start, length, ULPS * T::ULP)?;
-        let end = times(&taken.end);
-        let finite = end.iter().all(|x| x.is_finite());
-        finite.then_some((end, taken.error, rows - taken.rows))
+        Some(Step {
+            end: times(&taken.end),
+            ..taken
+        })
     }
 
     /// What the lag of slips that creep may have done during a step.
@@ -347,7 +423,7 @@ impl<'a, T: Real> Path<'a, T> {
         let begins: Vec<usize> = (0..self.rubs.len())
             .filter(|i| {
                 let jumps = size(Self::slip(&rates, *i)) > self.rubs[*i].pull * T::lift(CREEPS);
-                let crept = size(Self::slip(state, *i)) > T::lift(CREPT).at_least(self.nothing());
+                let crept = size(Self::slip(state, *i)) > self.creeps();
                 !self.slips[*i] && (jumps || crept)
             })
             .collect();
@@ -365,12 +441,17 @@ impl<'a, T: Real> Path<'a, T> {
     /// Follows the path to its end.
     fn run(mut self, mut state: Vec<T>, mass: &[T], unit: T) -> Option<Rubbed<T>> {
         let mut error = 0.0;
-        let mut length = T::lift(0.5);
+        // of the slowed clock, and of tau where a slip follows the forces
+        let mut lengths = [T::lift(0.5), T::lift(1e-3)];
         let mut restores = false;
         for _ in 0..MOST_STEPS {
             self.change_modes(&mut state);
-            let Some((end, off, spare)) = self.step(&state, length) else {
-                length /= T::lift(2.0);
+            let follows = self.follows(&state);
+            let stiff = follows.is_some();
+            let length = &mut lengths[usize::from(stiff)];
+            *length = length.at_most(follows.unwrap_or(*length));
+            let Some((end, off, spare)) = self.step(&state, *length, stiff) else {
+                *length /= T::lift(2.0);
                 continue;
             };
             error += off + self.crept(&state, &end);
@@ -379,7 +460,13 @@ impl<'a, T: Real> Path<'a, T> {
                 false => self.power(state),
             };
             if reached(&end, restores) >= T::zero() {
-                state = self.land(&state, length, |state| reached(state, restores));
+                let within = (*length, stiff);
+                let Some(landed) = self.land(&state, within, |state| reached(state, restores))
+                else {
+                    *length /= T::lift(2.0);
+                    continue;
+                };
+                state = landed;
                 if restores || self.work(&state) >= T::zero() {
                     return Some(self.finish(&state, mass, unit, error));
                 }
@@ -391,24 +478,26 @@ impl<'a, T: Real> Path<'a, T> {
                 return None;
             }
             if spare > 1 {
-                length = (length * T::lift(1.5)).at_most(T::lift(LONGEST));
+                *length = (*length * T::lift(1.5)).at_most(T::lift(LONGEST));
             }
         }
         None
     }
 
-    /// The state at which `reached`, negative at `start`, vanishes within a step: by the false position, and halves where that is slow.
-    fn land(&self, start: &[T], length: T, reached: impl Fn(&[T]) -> T) -> Vec<T> {
-        let (mut low, mut high) = ((T::zero(), reached(start)), None);
-        let mut next = length;
-        let mut found = start.to_vec();
+    /// The state at which `reached`, negative at `start`, vanishes within a step: by the false position, and halves where that is slow. `None`
+    /// where a shorter step is not as good as the whole one.
+    fn land(
+        &self,
+        start: &[T],
+        (length, stiff): (T, bool),
+        reached: impl Fn(&[T]) -> T,
+    ) -> Option<Vec<T>> {
+        let mut low = (T::zero(), reached(start));
+        let (mut high, mut next) = (None, length);
         let mut last_sign = 0;
         for _ in 0..MOST_TRIALS {
-            let Some((state, ..)) = self.step(start, next) else {
-                break;
-            };
+            let (state, ..) = self.step(start, next, stiff)?;
             let value = reached(&state);
-            found = state;
             let sign = if value >= T::zero() { 1 } else { -1 };
             // the end that stays counts half (Illinois)
             if sign > 0 {
@@ -423,16 +512,14 @@ impl<'a, T: Real> Path<'a, T> {
                 }
             }
             last_sign = sign;
-            let Some((top, above)) = high else {
-                break;
-            };
+            let (top, above) = high?;
             let width = top - low.0;
             if value.abs() <= T::lift(T::ULP / 4.0) || width <= top * T::lift(T::ULP) {
-                break;
+                return Some(state);
             }
             next = low.0 - low.1 * width / (above - low.1);
         }
-        found
+        None
     }
 
     fn finish(&self, state: &[T], mass: &[T], unit: T, error: f64) -> Rubbed<T> {
