@@ -82,6 +82,7 @@ impl<'a, T: Real> Solver<'a, T> {
             streaks: Streaks::new(balls.count()),
             slow: slow(&balls),
             foreseen: Vec::new(),
+            begun: Vec::new(),
             knocks: Knocks::new(),
             balls,
             journal,
@@ -151,6 +152,8 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) slow: T,
     /// Where accumulations under way lead.
     pub(super) foreseen: Vec<Foreseen<T>>,
+    /// Contacts that this run has brought about, which no convention of the scene speaks of.
+    pub(super) begun: Vec<Encounter>,
     /// The slow impacts of late.
     pub(super) knocks: Knocks<T>,
     pub(super) journal: Journal<T>,
@@ -208,15 +211,25 @@ impl<T: Real> Loop<'_, T> {
             }
             What::End(a) => self.phase_end(a as usize),
             What::UnclearPair(..) | What::UnclearCushion(..) | What::UnclearPocket(..) => {
-                Some(self.unclear(what))
+                self.unclear(what)
             }
             // upkeep of the agenda, which it does not take for an event
             What::Leaving(..) | What::Nothing => None,
         }
     }
 
+    /// Nobody can tell whether two parties meet; those that have touched before do.
     #[cold]
-    fn unclear(&self, what: What) -> Ending {
+    fn unclear(&mut self, what: What) -> Option<Ending> {
+        match what {
+            What::UnclearPair(a, b) if self.has_begun(&[a as usize, b as usize]) => {
+                self.touch(Encounter::Pair(a as usize, b as usize))
+            }
+            _ => Some(self.undecidable(what)),
+        }
+    }
+
+    fn undecidable(&self, what: What) -> Ending {
         let why = match what {
             What::UnclearCushion(_, side) => format!(
                 "it stops so close to {} that rounding decides whether it touches",
@@ -260,7 +273,7 @@ impl<T: Real> Loop<'_, T> {
     fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
         let sides = &impact.sides;
         if impact.closing < self.slow {
-            if impact.closing <= self.balls.world().blur.speed {
+            if self.is_lost(impact.encounter, impact.closing) {
                 return self.touch(impact.encounter);
             }
             if self.accumulates(impact) {
@@ -281,6 +294,10 @@ impl<T: Real> Loop<'_, T> {
         } else {
             match ambiguity::standing(&self.balls, &self.agenda, sides, window, watch) {
                 Standing::Alone => None,
+                // what this run brought together it also resolves together
+                Standing::Ambiguous { balls, .. } if self.has_begun(&balls) => {
+                    return self.cluster_impact(sides, window);
+                }
                 Standing::Ambiguous { balls, happened } => {
                     let ending = Some(ambiguity::indeterminate(&self.balls, &balls));
                     if !happened {
@@ -360,7 +377,9 @@ impl<T: Real> Loop<'_, T> {
     /// The same for balls that touch.
     #[cold]
     pub(super) fn streak_of(&mut self, balls: &[usize]) -> Option<Ending> {
-        let collapsed = self.streaks.count(balls.iter().copied(), self.balls.now())?;
+        let collapsed = self
+            .streaks
+            .count(balls.iter().copied(), self.balls.now())?;
         Some(Ending::Collapsed(self.balls.spot(balls, &collapsed)))
     }
 

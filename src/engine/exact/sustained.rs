@@ -1,11 +1,11 @@
 //! The event loop's part in contacts that last: accumulations, stretches of common motion, and impacts into what is held.
 
 use super::agenda::Agenda;
+use super::cluster_impact::ClusterImpact;
 use super::contact::arc::{Arc, Series};
 use super::contact::decide::{Undetermined, decide, member, settle};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::{Held, Next, encounter};
-use super::cluster_impact::ClusterImpact;
 use super::contact::nested::Together;
 use super::contact::tail;
 use super::impact::Impact;
@@ -18,6 +18,7 @@ use super::solve::Loop;
 use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::Side;
+use crate::physics::invariants::kinetic_energy;
 use crate::trace::{Ending, Partner};
 use nalgebra::Vector3;
 
@@ -29,6 +30,9 @@ const NOISE: f64 = 100.0;
 
 /// Parties that touch and approach or part by no more than this many roundings of the fastest ball do neither.
 const STEADY: f64 = 64.0;
+
+/// Parties that have touched before touch again when they approach no faster than this many times what rounding makes of it.
+const LOST: f64 = 4.0;
 
 /// Knocks that shrink together are followed further down than those of one encounter, by this factor: their limit is extrapolated.
 const FINER: f64 = 4.0;
@@ -103,12 +107,38 @@ impl<T: Real> Loop<'_, T> {
     fn knock(&mut self, encounter: Encounter, closing: T) -> Option<Together<T>> {
         let balls = &self.balls;
         let state = |ball: usize| balls.moving(ball);
-        let together = self.knocks.observe(balls.now(), encounter, closing, state)?;
+        let together = self
+            .knocks
+            .observe(balls.now(), encounter, closing, state)?;
         let parties: Vec<usize> = together.states.iter().map(|(ball, _)| *ball).collect();
-        let ready = self.is_noise(closing, FINER)
+        let energy = |(ball, end): &(usize, Moving<T>)| {
+            let scene = self.balls.scene();
+            let (mass, inertia) = (scene.balls[*ball].mass, scene.inertia(*ball));
+            let state = |m: &Moving<T>| self.balls.state(*ball, m.position, m.velocity, m.spin);
+            let now = kinetic_energy(&state(&self.balls.moving(*ball)), mass, inertia);
+            kinetic_energy(&state(end), mass, inertia) - now
+        };
+        let gained: f64 = together.states.iter().map(energy).sum();
+        let ready = gained <= 0.0
+            && self.is_noise(closing, FINER)
             && together.time > self.balls.now()
             && !self.comes_before(&parties, &together.encounters, together.time);
         ready.then_some(together)
+    }
+
+    /// Whether an approach of parties that touch is what rounding of their gap makes of it.
+    pub(super) fn is_lost(&self, encounter: Encounter, closing: T) -> bool {
+        let steady = self.balls.world().blur.speed * T::lift(STEADY);
+        closing <= steady || (self.is_noise(closing, LOST / NOISE) && self.has_met(encounter))
+    }
+
+    /// Whether two parties came to touch during this run, or were on their way to a limit.
+    fn has_met(&self, encounter: Encounter) -> bool {
+        let (a, b) = match encounter {
+            Encounter::Pair(a, b) => (a, b),
+            Encounter::Cushion(a, _) => (a, a),
+        };
+        self.begun.contains(&encounter) || self.balls.is_held(a) || self.balls.is_held(b)
     }
 
     /// Whether an approach is so slow, by `times`, that rounding will soon say how it goes on.
@@ -136,7 +166,9 @@ impl<T: Real> Loop<'_, T> {
             let next = self.agenda.foresee(&row, None);
             let own = match next.what {
                 What::Pair(a, b) => encounters.contains(&Encounter::Pair(a as usize, b as usize)),
-                What::Cushion(a, side) => encounters.contains(&Encounter::Cushion(a as usize, side)),
+                What::Cushion(a, side) => {
+                    encounters.contains(&Encounter::Cushion(a as usize, side))
+                }
                 _ => false,
             };
             comes |= next.time <= time && !own;
@@ -374,12 +406,28 @@ impl<T: Real> Loop<'_, T> {
         None
     }
 
+    /// Whether two of these balls came to touch during this run.
+    #[cold]
+    pub(super) fn has_begun(&self, balls: &[usize]) -> bool {
+        self.begun.iter().any(|encounter| match *encounter {
+            Encounter::Pair(a, b) => balls.contains(&a) && balls.contains(&b),
+            Encounter::Cushion(a, _) => balls.contains(&a),
+        })
+    }
+
+    fn begin(&mut self, encounter: Encounter) {
+        if !self.begun.contains(&encounter) {
+            self.begun.push(encounter);
+        }
+    }
+
     /// Writes down which contacts began and which ended.
     fn tell(&mut self, before: &[Encounter], held: &[Encounter], lasting: &[Encounter]) {
         for encounter in before {
             let was = held.contains(encounter);
             let is = lasting.contains(encounter);
             if !was {
+                self.begin(*encounter);
                 self.journal.contact(&self.balls, *encounter, true);
             }
             if !is {
@@ -412,7 +460,23 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
-        let gathered = self.gather(encounter);
+        let mut gathered = self.gather(encounter);
+        let mut states: Vec<(usize, Moving<T>)> = gathered
+            .members
+            .iter()
+            .map(|m| (m.ball, m.moving))
+            .collect();
+        let named = gathered
+            .touches
+            .iter()
+            .map(|t| encounter_of(&gathered.members, *t));
+        let named: Vec<Encounter> = named.collect();
+        calm(self.balls.world(), &named, &mut states);
+        for (known, (ball, moving)) in gathered.members.iter_mut().zip(states) {
+            if known.moving.velocity != moving.velocity {
+                *known = member(self.balls.world(), ball, moving);
+            }
+        }
         let balls: Vec<usize> = gathered.members.iter().map(|m| m.ball).collect();
         if let Some(ending) = self.streak_of(&balls) {
             return Some(ending);
@@ -425,14 +489,12 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn struck(&mut self, encounter: Encounter) -> Option<Ending> {
         let closing = -self.rate_of(encounter);
-        if closing < self.slow {
-            if closing <= self.balls.world().blur.speed * T::lift(STEADY) {
-                return self.touch(encounter);
-            }
-            if let Some(together) = self.knock(encounter, closing) {
-                self.go_together(encounter, together);
-                return None;
-            }
+        if self.is_lost(encounter, closing) {
+            return self.touch(encounter);
+        }
+        if let Some(together) = self.knock(encounter, closing) {
+            self.go_together(encounter, together);
+            return None;
         }
         let mut gathered = self.gather(encounter);
         let impact = match self.resolve(encounter, &gathered) {
@@ -465,7 +527,9 @@ impl<T: Real> Loop<'_, T> {
         let steady = steady.filter(|touch| self.is_steady(&members, *touch));
         let steady: Vec<Touch> = steady.collect();
         for encounter in &held {
-            let stays = steady.iter().any(|t| encounter_of(&members, *t) == *encounter);
+            let stays = steady
+                .iter()
+                .any(|t| encounter_of(&members, *t) == *encounter);
             if !stays {
                 self.journal.contact(&self.balls, *encounter, false);
             }
@@ -488,7 +552,8 @@ impl<T: Real> Loop<'_, T> {
         let members = &gathered.members;
         let touches = gathered.touches.iter().map(|touch| match *touch {
             Touch::Pair(a, b) => {
-                let p = [0, 1].map(|i| members[b].moving.position[i] - members[a].moving.position[i]);
+                let p =
+                    [0, 1].map(|i| members[b].moving.position[i] - members[a].moving.position[i]);
                 let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
                 let n = Vector3::new(p[0] / size, p[1] / size, T::zero());
                 simultaneous::Touch::Pair(a, b, n)

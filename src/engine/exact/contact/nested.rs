@@ -75,7 +75,9 @@ impl<T: Real> Knocks<T> {
         let (balls, encounters) = self.connected(encounter);
         let before = self.knocks.iter().rev();
         let mut before = before.filter(|knock| encounters.contains(&knock.encounter));
-        let first = before.next().is_some_and(|knock| knock.encounter != encounter);
+        let first = before
+            .next()
+            .is_some_and(|knock| knock.encounter != encounter);
         self.knocks.push(Knock {
             time: now,
             closing,
@@ -129,14 +131,22 @@ impl<T: Real> Knocks<T> {
         if cycle.len() < RATIOS + 2 {
             return None;
         }
-        let approaches = cycle.windows(2).map(|pair| pair[0].closing / pair[1].closing);
+        let approaches = cycle
+            .windows(2)
+            .map(|pair| pair[0].closing / pair[1].closing);
         let approaches: Vec<T> = approaches.collect();
-        let intervals: Vec<T> = cycle.windows(2).map(|pair| pair[0].time - pair[1].time).collect();
+        let intervals: Vec<T> = cycle
+            .windows(2)
+            .map(|pair| pair[0].time - pair[1].time)
+            .collect();
         let intervals = intervals.windows(2).map(|pair| pair[0] / pair[1]);
         let intervals: Vec<T> = intervals.take(RATIOS).collect();
         let ratio = approaches[0];
         let near = |other: &T| (*other - ratio).abs() <= ratio * T::lift(EQUAL);
-        if ratio >= T::one() || !approaches[..RATIOS].iter().all(near) || !intervals.iter().all(near) {
+        if ratio >= T::one()
+            || !approaches[..RATIOS].iter().all(near)
+            || !intervals.iter().all(near)
+        {
             return None;
         }
         let rest = ratio / (T::one() - ratio);
