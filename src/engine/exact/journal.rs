@@ -366,6 +366,10 @@ pub struct Passage<T> {
     pub before: Moving<T>,
     /// And after it.
     pub leaving: Moving<T>,
+    /// Its constant acceleration on the way, length/s^2.
+    pub acceleration: [T; 2],
+    /// The constant rate of its spin on the way, rad/s^2.
+    pub rate: [T; 3],
     /// How it moves at the limit.
     pub end: Moving<T>,
 }

@@ -205,10 +205,7 @@ impl<T: Real> Loop<'_, T> {
         match what {
             What::Pair(a, b) => self.pair(a as usize, b as usize),
             What::Cushion(a, side) => self.cushion(a as usize, side),
-            What::Pocket(a, pocket) => {
-                self.pocket(a as usize, pocket);
-                None
-            }
+            What::Pocket(a, pocket) => self.pocket(a as usize, pocket),
             What::End(a) => self.phase_end(a as usize),
             What::UnclearPair(..) | What::UnclearCushion(..) | What::UnclearPocket(..) => {
                 self.unclear(what)
@@ -411,13 +408,19 @@ impl<T: Real> Loop<'_, T> {
     /// A ball leaves play.
     #[cold]
     #[inline(never)]
-    fn pocket(&mut self, ball: usize, pocket: u32) {
+    fn pocket(&mut self, ball: usize, pocket: u32) -> Option<Ending> {
+        let left = if self.balls.is_held(ball) {
+            self.leaves_group(ball)
+        } else {
+            None
+        };
         let (position, velocity) = self.balls.at(ball);
         let spin = self.balls.spin_now(ball);
         let last = self.balls.state(ball, position, velocity, spin);
         self.balls.take_out(ball);
         self.agenda.schedule(ball, Candidate::none());
         self.journal.pocket(&self.balls, ball, &last, pocket);
+        self.go_on(left?, &[], &[], 0)
     }
 }
 

@@ -8,6 +8,7 @@ use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::{Held, Next, encounter};
 use super::contact::nested::Together;
 use super::contact::tail;
+use super::flight::{Flight, Phase};
 use super::impact::Impact;
 use super::journal::Passage;
 use super::kinematics::Kinematics;
@@ -31,11 +32,20 @@ const NOISE: f64 = 100.0;
 /// Parties that touch and approach or part by no more than this many roundings of the fastest ball do neither.
 const STEADY: f64 = 64.0;
 
+/// Two answers for one limit are the same if velocities differ by no more than this part of the approach.
+const SAME: f64 = 1e-2;
+
 /// Parties that have touched before touch again when they approach no faster than this many times what rounding makes of it.
 const LOST: f64 = 4.0;
 
 /// Knocks that shrink together are followed further down than those of one encounter, by this factor: their limit is extrapolated.
 const FINER: f64 = 4.0;
+
+/// The way to a limit is followed if what the approach does to it is this many errors of a position.
+const RESOLVED: f64 = 64.0;
+
+/// On the way to a limit no ball is faster or slower by more than this many approaches, and what the cloth does.
+const NEAR: f64 = 32.0;
 
 /// Rounds in which what is left of approaches at a limit is taken out.
 const ROUNDS: usize = 200;
@@ -52,8 +62,18 @@ pub struct Foreseen<T> {
     states: Vec<Moving<T>>,
 }
 
+impl<T: Real> Foreseen<T> {
+    /// Whether the velocities at both limits are the same within `speed`, length/s.
+    fn agrees(&self, other: &Self, speed: T) -> bool {
+        let pairs = self.states.iter().zip(&other.states);
+        pairs
+            .clone()
+            .all(|(a, b)| (0..2).all(|i| (a.velocity[i] - b.velocity[i]).abs() <= speed))
+    }
+}
+
 /// Balls that touch, taken out of their courses.
-struct Gathered<T> {
+pub(super) struct Gathered<T> {
     members: Vec<Member<T>>,
     touches: Vec<Touch>,
     /// The contacts that held until now.
@@ -66,8 +86,9 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn accumulates<const N: usize>(&mut self, impact: &Impact<T, N>) -> bool {
         let (encounter, closing) = (impact.encounter, impact.closing);
-        if let Some(together) = self.knock(encounter, closing) {
-            self.go_together(encounter, together);
+        if let Some(together) = self.knock(encounter, closing)
+            && self.go_together(encounter, together, closing)
+        {
             return true;
         }
         let states = impact.sides.each_ref().map(|side| Moving {
@@ -89,17 +110,27 @@ impl<T: Real> Loop<'_, T> {
             known.encounter == found.encounter
                 && (known.time - found.time).abs() <= limit.after * T::lift(SLOW)
                 && known.time > now
+                && known.agrees(&found, closing * T::lift(SAME))
         });
         let chosen = known.cloned().unwrap_or(found);
         let others = |known: &Foreseen<T>| known.time > now && known.encounter != encounter;
         self.foreseen.retain(others);
         self.foreseen.push(chosen.clone());
-        let balls = impact.sides.each_ref().map(|side| side.ball);
-        if !self.is_noise(closing, 1.0) || self.comes_before(&balls, &[encounter], chosen.time) {
+        if !self.is_noise(closing, 1.0) {
             return false;
         }
-        let ends = balls.iter().copied().zip(chosen.states).collect();
-        self.go_to_limit(encounter, ends, &[encounter], chosen.time, limit.impacts);
+        let balls = impact.sides.iter().map(|side| side.ball);
+        let ends: Vec<(usize, Moving<T>)> = balls.zip(chosen.states).collect();
+        let Some(passages) = self.way_to(&ends, &[encounter], [chosen.time, closing]) else {
+            return false;
+        };
+        self.go_to_limit(
+            encounter,
+            &passages,
+            &[encounter],
+            chosen.time,
+            limit.impacts,
+        );
         true
     }
 
@@ -119,10 +150,18 @@ impl<T: Real> Loop<'_, T> {
             kinetic_energy(&state(end), mass, inertia) - now
         };
         let gained: f64 = together.states.iter().map(energy).sum();
-        let ready = gained <= 0.0
-            && self.is_noise(closing, FINER)
-            && together.time > self.balls.now()
-            && !self.comes_before(&parties, &together.encounters, together.time);
+        // a group goes as a whole or not at all
+        let whole = parties.iter().all(|ball| {
+            let held = self.balls.contacts().of(*ball);
+            let mut members = held.iter().flat_map(|held| &held.group.members);
+            members.all(|m| parties.contains(&m.ball))
+        });
+        // at the limit everything touches
+        let closed = together.encounters.iter().all(|encounter| {
+            gap_at(self.balls.world(), *encounter, &together.states)
+                .is_some_and(|gap| gap.abs() <= closing * (together.time - self.balls.now()))
+        });
+        let ready = gained <= 0.0 && whole && closed && self.is_noise(closing, FINER);
         ready.then_some(together)
     }
 
@@ -148,93 +187,119 @@ impl<T: Real> Loop<'_, T> {
         closing <= noise * T::lift(NOISE * times)
     }
 
-    /// Whether an event of balls besides their `encounters` comes before `time`, s.
-    fn comes_before(&mut self, balls: &[usize], encounters: &[Encounter], time: T) -> bool {
-        let mut comes = time > self.balls.world().duration;
-        for ball in balls {
-            if self.balls.is_held(*ball) {
-                continue;
-            }
-            let mut flight = *self.balls.flight(*ball);
-            // the ends of their own phases are part of the accumulation
-            flight.end = T::lift(f64::INFINITY);
-            let row = Row::setting_off(&self.balls, *ball, &flight);
-            let row = match encounters {
-                [one] => row.without(*one),
-                _ => row,
-            };
-            let next = self.agenda.foresee(&row, None);
-            let own = match next.what {
-                What::Pair(a, b) => encounters.contains(&Encounter::Pair(a as usize, b as usize)),
-                What::Cushion(a, side) => {
-                    encounters.contains(&Encounter::Cushion(a as usize, side))
-                }
-                _ => false,
-            };
-            comes |= next.time <= time && !own;
-        }
-        comes
-    }
-
-    /// Puts balls on the way to the limit of knocks that shrink together.
-    fn go_together(&mut self, encounter: Encounter, together: Together<T>) {
+    /// Puts balls on the way to the limit of knocks that shrink together; answers whether it can be left to that.
+    fn go_together(&mut self, encounter: Encounter, together: Together<T>, closing: T) -> bool {
         let Together {
             time,
-            states,
+            mut states,
             encounters,
         } = together;
+        calm(self.balls.world(), &encounters, &mut states, true);
+        let Some(passages) = self.way_to(&states, &encounters, [time, closing]) else {
+            return false;
+        };
         self.knocks.clear();
         for (ball, _) in &states {
             self.give_up(*ball);
         }
-        let mut ends = states;
-        calm(self.balls.world(), &encounters, &mut ends);
-        self.go_to_limit(encounter, ends, &encounters, time, 1);
+        self.go_to_limit(encounter, &passages, &encounters, time, 1);
+        true
     }
 
-    /// Puts balls on the straight way to the limit of their accumulation.
+    /// The straight way of balls to their limit at `time`, s; `None` if it is not near what they do, or something else comes before.
+    fn way_to(
+        &mut self,
+        ends: &[(usize, Moving<T>)],
+        encounters: &[Encounter],
+        [time, closing]: [T; 2],
+    ) -> Option<Vec<Passage<T>>> {
+        let now = self.balls.now();
+        let after = time - now;
+        let world = self.balls.world();
+        if after <= T::zero() || time > world.duration {
+            return None;
+        }
+        // where the way is so short that its rounding tells, the balls are there at once
+        let resolved = after * closing > world.blur.length * T::lift(RESOLVED);
+        let most = closing * T::lift(NEAR) + world.strongest() * after * T::lift(2.0);
+        let mut passages = Vec::new();
+        for (ball, end) in ends {
+            let start = self.balls.moving(*ball);
+            let two = T::lift(2.0);
+            let way = [0, 1].map(|i| end.position[i] - start.position[i]);
+            // through both ends with a constant acceleration
+            let through = [0, 1].map(|i| way[i] / after * two - end.velocity[i]);
+            let leaving = if resolved { through } else { end.velocity };
+            let near = |v: [T; 2]| (0..2).all(|i| (v[i] - start.velocity[i]).abs() <= most);
+            if !near(leaving) || !near(end.velocity) {
+                return None;
+            }
+            let change = |from: T, to: T| {
+                if resolved {
+                    (to - from) / after
+                } else {
+                    T::zero()
+                }
+            };
+            passages.push(Passage {
+                ball: *ball,
+                before: start,
+                leaving: Moving {
+                    velocity: leaving,
+                    ..start
+                },
+                acceleration: [0, 1].map(|i| change(leaving[i], end.velocity[i])),
+                rate: [0, 1, 2].map(|i| change(start.spin[i], end.spin[i])),
+                end: *end,
+            });
+        }
+        let comes = passages
+            .iter()
+            .any(|passage| self.comes_before(passage, encounters, time));
+        (!comes).then_some(passages)
+    }
+
+    /// Whether an event of a ball on its way to a limit, besides its `encounters`, comes before `time`, s.
+    fn comes_before(&mut self, passage: &Passage<T>, encounters: &[Encounter], time: T) -> bool {
+        let Passage { ball, leaving, .. } = *passage;
+        let size = |[x, y]: [T; 2]| (x * x + y * y).sqrt();
+        let flight = Flight {
+            start: self.balls.now(),
+            end: T::lift(f64::INFINITY),
+            position: leaving.position,
+            velocity: leaving.velocity,
+            acceleration: passage.acceleration,
+            fastest: size(leaving.velocity).at_least(size(passage.end.velocity)),
+            phase: Phase::Curve,
+        };
+        let row = Row::setting_off(&self.balls, ball, &flight);
+        let row = match encounters {
+            [one] => row.without(*one),
+            _ => row,
+        };
+        let next = self.agenda.foresee(&row, None);
+        let own = match next.what {
+            What::Pair(a, b) => encounters.contains(&Encounter::Pair(a as usize, b as usize)),
+            What::Cushion(a, side) => encounters.contains(&Encounter::Cushion(a as usize, side)),
+            _ => false,
+        };
+        next.time <= time && !own
+    }
+
+    /// Puts balls on their way to a limit at `time`, s, of these encounters.
     fn go_to_limit(
         &mut self,
         encounter: Encounter,
-        ends: Vec<(usize, Moving<T>)>,
+        passages: &[Passage<T>],
         encounters: &[Encounter],
         time: T,
         impacts: u32,
     ) {
         let now = self.balls.now();
         let after = time - now;
-        let mut members = Vec::new();
-        let mut series = Vec::new();
-        let mut passages = Vec::new();
-        for (ball, end) in &ends {
-            let start = self.balls.moving(*ball);
-            // through both ends with a constant acceleration
-            let two = T::lift(2.0);
-            let leaving = [0, 1]
-                .map(|i| (end.position[i] - start.position[i]) / after * two - end.velocity[i]);
-            let moving = Moving {
-                velocity: leaving,
-                ..start
-            };
-            let acceleration = [0, 1].map(|i| (end.velocity[i] - leaving[i]) / after);
-            let rate = [0, 1, 2].map(|i| (end.spin[i] - start.spin[i]) / after);
-            series.push(Series::straight(*ball, &moving, acceleration, rate, after));
-            members.push(Member {
-                ball: *ball,
-                moving,
-                mode: Mode::Floats,
-                twist: Twist::Free,
-            });
-            passages.push(Passage {
-                ball: *ball,
-                before: start,
-                leaving: moving,
-                end: *end,
-            });
-        }
         self.journal
-            .accumulation(&self.balls, encounter, &passages, impacts);
-        let place = |ball: usize| ends.iter().position(|(b, _)| *b == ball).unwrap_or(0);
+            .accumulation(&self.balls, encounter, passages, impacts);
+        let place = |ball: usize| passages.iter().position(|p| p.ball == ball).unwrap_or(0);
         let holds = encounters.iter().map(|encounter| Hold {
             touch: match *encounter {
                 Encounter::Pair(a, b) => Touch::Pair(place(a), place(b)),
@@ -242,18 +307,27 @@ impl<T: Real> Loop<'_, T> {
             },
             pressed: true,
         });
+        let members = passages.iter().map(|p| Member {
+            ball: p.ball,
+            moving: p.leaving,
+            mode: Mode::Floats,
+            twist: Twist::Free,
+        });
+        let series = passages
+            .iter()
+            .map(|p| Series::straight(p.ball, &p.leaving, p.acceleration, p.rate, after));
         self.hold(Held {
             group: Group {
                 holds: holds.collect(),
-                members,
+                members: members.collect(),
             },
             arc: Arc {
                 length: after,
-                series,
+                series: series.collect(),
                 changes: Vec::new(),
             },
             start: now,
-            next: Next::Limit(ends.into_iter().map(|(_, end)| end).collect()),
+            next: Next::Limit(passages.iter().map(|p| p.end).collect()),
             stuck: 0,
         });
     }
@@ -347,7 +421,7 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// Decides how balls go on that touch, and lets them. `gone`: contacts whose force has vanished; `changes`: what else has just happened.
-    fn go_on(
+    pub(super) fn go_on(
         &mut self,
         gathered: Gathered<T>,
         gone: &[Touch],
@@ -471,7 +545,7 @@ impl<T: Real> Loop<'_, T> {
             .iter()
             .map(|t| encounter_of(&gathered.members, *t));
         let named: Vec<Encounter> = named.collect();
-        calm(self.balls.world(), &named, &mut states);
+        calm(self.balls.world(), &named, &mut states, false);
         for (known, (ball, moving)) in gathered.members.iter_mut().zip(states) {
             if known.moving.velocity != moving.velocity {
                 *known = member(self.balls.world(), ball, moving);
@@ -492,8 +566,9 @@ impl<T: Real> Loop<'_, T> {
         if self.is_lost(encounter, closing) {
             return self.touch(encounter);
         }
-        if let Some(together) = self.knock(encounter, closing) {
-            self.go_together(encounter, together);
+        if let Some(together) = self.knock(encounter, closing)
+            && self.go_together(encounter, together, closing)
+        {
             return None;
         }
         let mut gathered = self.gather(encounter);
@@ -540,6 +615,36 @@ impl<T: Real> Loop<'_, T> {
             held,
         };
         self.go_on(gathered, &[], &[], 0)
+    }
+
+    /// A ball that is held leaves play: the others of its group go on without it.
+    #[cold]
+    pub(super) fn leaves_group(&mut self, ball: usize) -> Option<Gathered<T>> {
+        let held = self.balls.contacts().of(ball)?.encounters();
+        let Gathered {
+            members,
+            touches,
+            held,
+        } = self.gather(*held.first()?);
+        let ended = held.iter().filter(|encounter| involves(encounter, ball));
+        for encounter in ended {
+            self.journal.contact(&self.balls, *encounter, false);
+        }
+        let place = members.iter().position(|m| m.ball == ball)?;
+        let after = |i: usize| if i > place { i - 1 } else { i };
+        let touches = touches.into_iter().filter_map(|touch| match touch {
+            Touch::Pair(a, b) if a == place || b == place => None,
+            Touch::Pair(a, b) => Some(Touch::Pair(after(a), after(b))),
+            Touch::Cushion(a, _) if a == place => None,
+            Touch::Cushion(a, side) => Some(Touch::Cushion(after(a), side)),
+        });
+        let touches = touches.collect();
+        let members = members.into_iter().filter(|m| m.ball != ball).collect();
+        Some(Gathered {
+            members,
+            touches,
+            held,
+        })
     }
 
     /// What the contacts of balls that touch make of an impact, all together.
@@ -824,11 +929,35 @@ fn keep_contacts<T: Real>(
     }
 }
 
-/// Takes out of states at a limit what approach or parting the extrapolation left of encounters.
+/// The gap of two parties in these states, length.
+fn gap_at<T: Real>(
+    world: &super::world::World<T>,
+    encounter: Encounter,
+    states: &[(usize, Moving<T>)],
+) -> Option<T> {
+    let place = |ball: usize| {
+        let found = states.iter().find(|(b, _)| *b == ball);
+        found.map(|(_, moving)| moving.position)
+    };
+    Some(match encounter {
+        Encounter::Pair(a, b) => {
+            let (p, q) = (place(a)?, place(b)?);
+            let d = [0, 1].map(|i| q[i] - p[i]);
+            (d[0] * d[0] + d[1] * d[1]).sqrt() - world.distance(a, b)
+        }
+        Encounter::Cushion(a, side) => {
+            let gap = world.reach.get(a)?[side as usize] - place(a)?[side.axis()];
+            if side.sign() < 0 { -gap } else { gap }
+        }
+    })
+}
+
+/// Takes out of states what is left of approach and parting of encounters; `gaps`: and of their gaps.
 fn calm<T: Real>(
     world: &super::world::World<T>,
     encounters: &[Encounter],
     states: &mut [(usize, Moving<T>)],
+    gaps: bool,
 ) {
     for _ in 0..ROUNDS {
         for encounter in encounters {
@@ -847,8 +976,16 @@ fn calm<T: Real>(
                     let (one, other) = (states[i].1, states[j].1);
                     let p = [0, 1].map(|k| other.position[k] - one.position[k]);
                     let v = [0, 1].map(|k| other.velocity[k] - one.velocity[k]);
-                    let along = (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]);
+                    let square = p[0] * p[0] + p[1] * p[1];
+                    let along = (p[0] * v[0] + p[1] * v[1]) / square;
+                    let distance = world.distance(a, b);
+                    // to first order in the gap, which is small
+                    let wide = (square - distance * distance) / (square + square);
                     for k in 0..2 {
+                        if gaps {
+                            states[i].1.position[k] += p[k] * wide * share;
+                            states[j].1.position[k] -= p[k] * wide * (T::one() - share);
+                        }
                         states[i].1.velocity[k] += p[k] * along * share;
                         states[j].1.velocity[k] -= p[k] * along * (T::one() - share);
                     }

@@ -12,8 +12,14 @@ use crate::math::Real;
 /// Knocks that are remembered.
 const REMEMBERED: usize = 512;
 
+/// Cycles back to which an encounter belongs to the ones of now.
+const CYCLES: usize = 2;
+
 /// Two ratios are equal within this part.
 const EQUAL: f64 = 1e-3;
+
+/// A ratio nearer to 1 would be extrapolated too far for what is known of it.
+const SLOWEST: f64 = 0.95;
 
 /// Ratios that must be equal.
 const RATIOS: usize = 3;
@@ -72,7 +78,10 @@ impl<T: Real> Knocks<T> {
         if self.knocks.len() >= REMEMBERED {
             self.knocks.drain(..REMEMBERED / 2);
         }
-        let (balls, encounters) = self.connected(encounter);
+        let own = self.knocks.iter().rev();
+        let own = own.filter(|knock| knock.encounter == encounter && knock.first);
+        let since = own.map(|knock| knock.time).nth(CYCLES - 1);
+        let (balls, encounters) = self.connected(encounter, since.unwrap_or_else(T::zero));
         let before = self.knocks.iter().rev();
         let mut before = before.filter(|knock| encounters.contains(&knock.encounter));
         let first = before
@@ -92,13 +101,13 @@ impl<T: Real> Knocks<T> {
         }
     }
 
-    /// The balls and encounters that are connected to one by what knocked lately.
-    fn connected(&self, encounter: Encounter) -> (Vec<usize>, Vec<Encounter>) {
+    /// The balls and encounters that are connected to one by what knocked since a time, s.
+    fn connected(&self, encounter: Encounter, since: T) -> (Vec<usize>, Vec<Encounter>) {
         let mut balls: Vec<usize> = balls_of(encounter).collect();
         let mut encounters = vec![encounter];
         loop {
             let before = encounters.len();
-            for knock in &self.knocks {
+            for knock in self.knocks.iter().filter(|knock| knock.time >= since) {
                 let touches = balls_of(knock.encounter).any(|ball| balls.contains(&ball));
                 if touches && !encounters.contains(&knock.encounter) {
                     encounters.push(knock.encounter);
