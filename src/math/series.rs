@@ -201,12 +201,15 @@ pub fn slope_at<T: Real>(series: &[T], t: T) -> T {
     sum
 }
 
-/// How far a series may be followed until what it leaves out is `part` of `size`: by the two highest of its coefficients, as if those beyond went
-/// on like them. Infinite where it ends.
+/// Coefficients that tell how far a series may be followed.
+const HIGHEST: usize = 4;
+
+/// How far a series may be followed until what it leaves out is `part` of `size`: by the highest of its coefficients, as if those beyond went
+/// on like them; several, because some may vanish. Infinite where it ends.
 pub fn reach<T: Real>(series: &[T], size: f64, part: f64) -> f64 {
     let top = series.len().saturating_sub(1);
     let mut least = f64::INFINITY;
-    for order in top.saturating_sub(1)..=top {
+    for order in top.saturating_sub(HIGHEST - 1)..=top {
         let coefficient = series[order].to_f64().abs();
         if order > 0 && coefficient > 0.0 {
             // in logarithms: the coefficient may be beyond the range of what it is divided by

@@ -210,7 +210,6 @@ impl<T: Real> Journal<T> {
         impacts: u32,
     ) {
         let time = balls.now().to_f64();
-        let mut gained = 0.0;
         let kind = match encounter {
             Encounter::Pair(a, b) => {
                 self.ball_ball += 1;
@@ -223,18 +222,36 @@ impl<T: Real> Journal<T> {
         };
         self.count(balls.now());
         let event = self.recorder.event(time, kind, Some(u64::from(impacts)));
-        let scene = balls.scene();
         for passage in passages {
             let ball = passage.ball;
             let state = |m: &Moving<T>| balls.state(ball, m.position, m.velocity, m.spin);
-            let (before, end) = (state(&passage.before), state(&passage.end));
-            let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
-            gained += kinetic_energy(&end, mass, inertia) - kinetic_energy(&before, mass, inertia);
-            let leaving = state(&passage.leaving);
+            let (before, leaving) = (state(&passage.before), state(&passage.leaving));
             self.recorder.jump(ball, time, &before, &leaving, event);
         }
-        let (first, other) = kind.balls();
-        self.recorder.energy_change(time, gained, first, other);
+    }
+
+    /// What the impacts of an accumulation have done by now to its balls, in energy.
+    pub fn passed(
+        &mut self,
+        balls: &Kinematics<'_, T>,
+        members: &[Member<T>],
+        before: &[Moving<T>],
+        after: &[Moving<T>],
+    ) {
+        let scene = balls.scene();
+        let mut gained = 0.0;
+        for ((member, before), after) in members.iter().zip(before).zip(after) {
+            let ball = member.ball;
+            let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
+            let state = |m: &Moving<T>| balls.state(ball, m.position, m.velocity, m.spin);
+            gained += kinetic_energy(&state(after), mass, inertia)
+                - kinetic_energy(&state(before), mass, inertia);
+        }
+        if let Some(first) = members.first() {
+            let other = members.get(1).map(|member| member.ball);
+            let time = balls.now().to_f64();
+            self.recorder.energy_change(time, gained, first.ball, other);
+        }
     }
 
     /// What balls did that were held until now: states between which their acceleration is nearly constant.

@@ -208,24 +208,14 @@ impl<T: Real> Loop<'_, T> {
             What::Pocket(a, pocket) => self.pocket(a as usize, pocket),
             What::End(a) => self.phase_end(a as usize),
             What::UnclearPair(..) | What::UnclearCushion(..) | What::UnclearPocket(..) => {
-                self.unclear(what)
+                Some(self.undecidable(what))
             }
             // upkeep of the agenda, which it does not take for an event
             What::Leaving(..) | What::Nothing => None,
         }
     }
 
-    /// Nobody can tell whether two parties meet; those that have touched before do.
     #[cold]
-    fn unclear(&mut self, what: What) -> Option<Ending> {
-        match what {
-            What::UnclearPair(a, b) if self.has_begun(&[a as usize, b as usize]) => {
-                self.touch(Encounter::Pair(a as usize, b as usize))
-            }
-            _ => Some(self.undecidable(what)),
-        }
-    }
-
     fn undecidable(&self, what: What) -> Ending {
         let why = match what {
             What::UnclearCushion(_, side) => format!(
@@ -245,7 +235,7 @@ impl<T: Real> Loop<'_, T> {
 
     /// Two balls meet.
     #[inline(never)]
-    fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
+    pub(super) fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
         if self.balls.is_held(a) || self.balls.is_held(b) {
             return self.struck(Encounter::Pair(a, b));
         }
@@ -256,7 +246,7 @@ impl<T: Real> Loop<'_, T> {
 
     /// A ball meets a cushion.
     #[inline(never)]
-    fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
+    pub(super) fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
         if self.balls.is_held(a) {
             return self.struck(Encounter::Cushion(a, side));
         }
@@ -270,7 +260,7 @@ impl<T: Real> Loop<'_, T> {
     fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
         let sides = &impact.sides;
         if impact.closing < self.slow {
-            if self.is_lost(impact.encounter, impact.closing) {
+            if self.is_still(impact.closing) {
                 return self.touch(impact.encounter);
             }
             if self.accumulates(impact) {

@@ -5,7 +5,7 @@ use super::cluster_impact::ClusterImpact;
 use super::contact::arc::{Arc, Series};
 use super::contact::decide::{Undetermined, decide, member, settle};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
-use super::contact::held::{Held, Next, encounter};
+use super::contact::held::{Held, Next, Way, encounter};
 use super::contact::nested::Together;
 use super::contact::tail;
 use super::flight::{Flight, Phase};
@@ -34,9 +34,6 @@ const STEADY: f64 = 64.0;
 
 /// Two answers for one limit are the same if velocities differ by no more than this part of the approach.
 const SAME: f64 = 1e-2;
-
-/// Parties that have touched before touch again when they approach no faster than this many times what rounding makes of it.
-const LOST: f64 = 4.0;
 
 /// Knocks that shrink together are followed further down than those of one encounter, by this factor: their limit is extrapolated.
 const FINER: f64 = 4.0;
@@ -165,19 +162,9 @@ impl<T: Real> Loop<'_, T> {
         ready.then_some(together)
     }
 
-    /// Whether an approach of parties that touch is what rounding of their gap makes of it.
-    pub(super) fn is_lost(&self, encounter: Encounter, closing: T) -> bool {
-        let steady = self.balls.world().blur.speed * T::lift(STEADY);
-        closing <= steady || (self.is_noise(closing, LOST / NOISE) && self.has_met(encounter))
-    }
-
-    /// Whether two parties came to touch during this run, or were on their way to a limit.
-    fn has_met(&self, encounter: Encounter) -> bool {
-        let (a, b) = match encounter {
-            Encounter::Pair(a, b) => (a, b),
-            Encounter::Cushion(a, _) => (a, a),
-        };
-        self.begun.contains(&encounter) || self.balls.is_held(a) || self.balls.is_held(b)
+    /// Whether parties that touch neither approach nor part, but for rounding.
+    pub(super) fn is_still(&self, closing: T) -> bool {
+        closing <= self.balls.world().blur.speed * T::lift(STEADY)
     }
 
     /// Whether an approach is so slow, by `times`, that rounding will soon say how it goes on.
@@ -327,7 +314,14 @@ impl<T: Real> Loop<'_, T> {
                 changes: Vec::new(),
             },
             start: now,
-            next: Next::Limit(passages.iter().map(|p| p.end).collect()),
+            next: Next::Limit(Way {
+                encounter: match encounters {
+                    [one] => Some(*one),
+                    _ => None,
+                },
+                before: passages.iter().map(|p| p.before).collect(),
+                ends: passages.iter().map(|p| p.end).collect(),
+            }),
             stuck: 0,
         });
     }
@@ -354,7 +348,10 @@ impl<T: Real> Loop<'_, T> {
         self.journal.stretch(&self.balls, &held);
         let encounters = held.encounters();
         let world = self.balls.world();
-        if let Next::Limit(states) = held.next {
+        if let Next::Limit(way) = &held.next {
+            self.journal
+                .passed(&self.balls, &held.group.members, &way.before, &way.ends);
+            let states = way.ends.iter().copied();
             let members = held.group.members.iter().zip(states);
             let members = members.map(|(m, state)| member(world, m.ball, state));
             let members: Vec<Member<T>> = members.collect();
@@ -562,8 +559,20 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn struck(&mut self, encounter: Encounter) -> Option<Ending> {
+        let (first, second) = match encounter {
+            Encounter::Pair(a, b) => (a, b),
+            Encounter::Cushion(a, _) => (a, a),
+        };
+        self.interrupt(first);
+        self.interrupt(second);
+        if !self.balls.is_held(first) && !self.balls.is_held(second) {
+            return match encounter {
+                Encounter::Pair(a, b) => self.pair(a, b),
+                Encounter::Cushion(a, side) => self.cushion(a, side),
+            };
+        }
         let closing = -self.rate_of(encounter);
-        if self.is_lost(encounter, closing) {
+        if self.is_still(closing) {
             return self.touch(encounter);
         }
         if let Some(together) = self.knock(encounter, closing)
@@ -694,6 +703,38 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
+    /// Something comes between a ball and the limit that it is on its way to: its group is where its impacts have brought it by now.
+    fn interrupt(&mut self, ball: usize) {
+        let on_the_way = |held: &Held<T>| matches!(held.next, Next::Limit(_));
+        if !self.balls.contacts().of(ball).is_some_and(on_the_way) {
+            return;
+        }
+        let Some(held) = self.balls.let_go(ball) else {
+            return;
+        };
+        let Next::Limit(way) = &held.next else {
+            return;
+        };
+        self.journal.stretch(&self.balls, &held);
+        let after = self.balls.now() - held.start;
+        let world = self.balls.world();
+        let found = way
+            .encounter
+            .and_then(|encounter| tail::until(world, encounter, &way.before, after));
+        let along = held.group.members.iter();
+        let states =
+            found.unwrap_or_else(|| along.map(|m| self.balls.state_in(&held, m.ball)).collect());
+        self.journal
+            .passed(&self.balls, &held.group.members, &way.before, &states);
+        let mut balls = Vec::new();
+        for (m, moving) in held.group.members.iter().zip(states) {
+            let course = self.balls.course(m.ball, moving);
+            self.balls.set_off(m.ball, &course);
+            balls.push(m.ball);
+        }
+        self.predict_all(&balls);
+    }
+
     /// Gives up the group that holds a ball: until it is decided how its balls go on, they do as they would alone.
     fn give_up(&mut self, ball: usize) {
         if let Some(group) = self.balls.let_go(ball) {
@@ -724,6 +765,7 @@ impl<T: Real> Loop<'_, T> {
         let mut next = 0;
         while let Some(&ball) = balls.get(next) {
             next += 1;
+            self.interrupt(ball);
             if let Some(group) = self.balls.contacts().of(ball) {
                 for encounter in group.encounters() {
                     if !held.contains(&encounter) {

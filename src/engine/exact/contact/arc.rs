@@ -23,6 +23,9 @@ const LOOKS: usize = 8;
 /// A slip or a speed that turns while it ends is over when it is no more than this many roundings of the fastest.
 const OVER: f64 = 64.0;
 
+/// The sizes of all terms of a velocity add up to no more than this many times the fastest ball's speed.
+const BEYOND: f64 = 4.0;
+
 /// Bisections and Newton steps, at most, for one root.
 const STEPS: usize = 400;
 
@@ -142,6 +145,17 @@ impl<T: Real> Arc<T> {
         let part = LEFT_OUT * T::ULP;
         for node in equations.velocity.iter().flatten() {
             length = length.at_most(T::lift(reach(tape.series(*node), speed, part)));
+        }
+        // a sum of terms that is beyond what energy allows does not converge
+        let bound = |length: T| {
+            let sizes = equations.velocity.iter().flatten();
+            sizes.fold(0.0_f64, |most, node| {
+                let terms = tape.series(*node).iter().rev();
+                most.max(terms.fold(0.0, |sum, c| sum * length.to_f64() + c.to_f64().abs()))
+            })
+        };
+        while bound(length) > BEYOND * speed {
+            length *= T::lift(0.5);
         }
         let watched: Vec<(Change, &[T])> = equations
             .monitors

@@ -136,8 +136,6 @@ pub struct Equations<T> {
     pub velocity: Vec<[Node; 2]>,
     /// Spin of each member.
     pub spin: Vec<[Node; 3]>,
-    /// Force of each contact; `None` without one.
-    pub force: Vec<Option<Node>>,
     /// Acceleration of the gap of each contact without force.
     pub opening: Vec<Option<Node>>,
     /// The part of the contacts' push per mass that counts for rolling, of each member.
@@ -691,7 +689,6 @@ impl<'a, T: Real> Writer<'a, T> {
             position: self.position,
             velocity: self.velocity,
             spin: self.spin,
-            force,
             opening,
             pushed: rolling,
             gripping,

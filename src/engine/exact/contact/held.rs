@@ -11,8 +11,19 @@ use crate::math::Real;
 pub enum Next<T> {
     /// What the equations of the group say.
     Motion,
-    /// The limit of an accumulation: how its parties move then, and the impacts that it stands for.
-    Limit(Vec<Moving<T>>),
+    /// The limit of an accumulation.
+    Limit(Way<T>),
+}
+
+/// The way of balls to the limit of their impacts.
+#[derive(Clone, Debug)]
+pub struct Way<T> {
+    /// The encounter whose impacts they are; `None` where there are several.
+    pub encounter: Option<Encounter>,
+    /// How the members move before the first of those impacts.
+    pub before: Vec<Moving<T>>,
+    /// How they move at the limit.
+    pub ends: Vec<Moving<T>>,
 }
 
 /// A group under way.

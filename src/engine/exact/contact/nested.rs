@@ -152,7 +152,7 @@ impl<T: Real> Knocks<T> {
         let intervals: Vec<T> = intervals.take(RATIOS).collect();
         let ratio = approaches[0];
         let near = |other: &T| (*other - ratio).abs() <= ratio * T::lift(EQUAL);
-        if ratio >= T::one()
+        if ratio >= T::lift(SLOWEST)
             || !approaches[..RATIOS].iter().all(near)
             || !intervals.iter().all(near)
         {

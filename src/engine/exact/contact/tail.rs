@@ -111,58 +111,83 @@ pub fn limit<T: Real>(
     encounter: Encounter,
     states: &[Moving<T>],
 ) -> Option<Limit<T>> {
-    let (balls, side) = match encounter {
-        Encounter::Pair(a, b) => (vec![a, b], None),
-        Encounter::Cushion(a, side) => (vec![a], Some(side)),
-    };
-    let zero = T::zero();
-    let apart = match states {
-        [one, other] => [0, 1].map(|i| other.position[i] - one.position[i]),
-        _ => [zero; 2],
-    };
-    let parties = balls.iter().zip(states).map(|(ball, state)| {
-        let mut party = Party {
-            radius: world.radius[*ball],
-            mass: world.mass[*ball],
-            flight: Flight::new(world.ground, zero, [zero; 2], [zero; 2]),
-            spin: Spin::none(),
-        };
-        let moving = Moving {
-            position: [zero; 2],
-            ..*state
-        };
-        party.set_off(world, zero, moving);
-        party
-    });
-    let mut alone = Alone {
-        world,
-        parties: parties.collect(),
-        side,
-        apart,
-        above: zero,
-        now: zero,
-    };
-    let impacts = alone.play()?;
-    let ends = alone.parties.iter().map(|party| party.at(alone.now));
-    let states = ends.zip(states).map(|(moving, start)| Moving {
-        position: [0, 1].map(|i| start.position[i] + moving.position[i]),
-        ..moving
-    });
+    let mut alone = Alone::new(world, encounter, states);
+    let impacts = alone.play(None)?;
     Some(Limit {
         after: alone.now,
-        states: states.collect(),
+        states: alone.states(states),
         impacts,
     })
 }
 
-impl<T: Real> Alone<'_, T> {
-    /// Plays until the approach is rounding; answers how many impacts that took.
-    fn play(&mut self) -> Option<u32> {
+/// How the parties of an impact move `after` seconds, before the limit of their impacts; `None` if they have no more impacts before.
+pub fn until<T: Real>(
+    world: &World<T>,
+    encounter: Encounter,
+    states: &[Moving<T>],
+    after: T,
+) -> Option<Vec<Moving<T>>> {
+    let mut alone = Alone::new(world, encounter, states);
+    alone.play(Some(after))?;
+    Some(alone.states(states))
+}
+
+impl<'a, T: Real> Alone<'a, T> {
+    /// The parties at their impact, each where it is from there on.
+    fn new(world: &'a World<T>, encounter: Encounter, states: &[Moving<T>]) -> Self {
+        let (balls, side) = match encounter {
+            Encounter::Pair(a, b) => (vec![a, b], None),
+            Encounter::Cushion(a, side) => (vec![a], Some(side)),
+        };
+        let zero = T::zero();
+        let apart = match states {
+            [one, other] => [0, 1].map(|i| other.position[i] - one.position[i]),
+            _ => [zero; 2],
+        };
+        let parties = balls.iter().zip(states).map(|(ball, state)| {
+            let mut party = Party {
+                radius: world.radius[*ball],
+                mass: world.mass[*ball],
+                flight: Flight::new(world.ground, zero, [zero; 2], [zero; 2]),
+                spin: Spin::none(),
+            };
+            let moving = Moving {
+                position: [zero; 2],
+                ..*state
+            };
+            party.set_off(world, zero, moving);
+            party
+        });
+        Alone {
+            world,
+            parties: parties.collect(),
+            side,
+            apart,
+            above: zero,
+            now: zero,
+        }
+    }
+
+    /// How the parties move now; `starts`: where they were at the first impact.
+    fn states(&self, starts: &[Moving<T>]) -> Vec<Moving<T>> {
+        let ends = self.parties.iter().map(|party| party.at(self.now));
+        let states = ends.zip(starts).map(|(moving, start)| Moving {
+            position: [0, 1].map(|i| start.position[i] + moving.position[i]),
+            ..moving
+        });
+        states.collect()
+    }
+
+    /// Plays until the approach is rounding, or up to a time, s; answers how many impacts that took.
+    fn play(&mut self, until: Option<T>) -> Option<u32> {
         let over = self.world.blur.speed * T::lift(OVER);
         let mut mark = self.closing();
         for impact in 1..=MOST_IMPACTS {
             self.hit()?;
-            self.come_back()?;
+            self.come_back(until)?;
+            if until.is_some_and(|until| self.now >= until) {
+                return Some(impact);
+            }
             let closing = self.closing();
             if closing <= over {
                 return Some(impact);
@@ -248,14 +273,15 @@ impl<T: Real> Alone<'_, T> {
         Some(())
     }
 
-    /// Goes on to the next impact, through the ends of phases.
-    fn come_back(&mut self) -> Option<()> {
+    /// Goes on to the next impact, through the ends of phases, or up to a time, s.
+    fn come_back(&mut self, until: Option<T>) -> Option<()> {
         loop {
             let end = self
                 .parties
                 .iter()
                 .map(|party| party.flight.end)
                 .reduce(T::at_most)?;
+            let end = until.map_or(end, |until| end.at_most(until));
             let within = end - self.now;
             if let Some(after) = self.meets(within) {
                 self.advance(after, None);
@@ -265,6 +291,9 @@ impl<T: Real> Alone<'_, T> {
                 return None;
             }
             self.advance(within, Some(end));
+            if until.is_some_and(|until| self.now >= until) {
+                return Some(());
+            }
             for party in &mut self.parties {
                 if party.flight.end <= end {
                     let turned = party.spin.turn != Turn::Never || self.world.rotation.is_none();
