@@ -1,13 +1,20 @@
 //! What holds while a contact lasts: the distance, what the knots explain, the energy that nothing brings.
 
 use super::{R, lasting, reach, runs};
-use carom::trace::{Knot, Partner, Path, Trace};
+use carom::engine::Limits;
+use carom::engine::exact::solve;
+use carom::math::{DoubleDouble, Real};
+use carom::scene::catalogue;
+use carom::trace::{Ending, Knot, Partner, Path, Trace};
 
 /// What a held pair may drift, in radii: some roundings of coordinates below 2 m.
 const DRIFT: f64 = 1e-12;
 
 /// What the knots of a held ball leave unexplained, in radii.
 const UNEXPLAINED: f64 = 2e-9;
+
+/// Two precisions agree within this many radii: what the workbench asks of them up to the horizon.
+const AGREE: f64 = 1e-9;
 
 /// Knots of a ball strictly within a phase or at its ends; of those at its ends the sides that belong to it.
 pub fn within(trace: &Trace, ball: usize, begin: f64, end: f64) -> Vec<Knot> {
@@ -91,6 +98,36 @@ fn energy_never_grows_through_limits_and_contacts() {
             gained <= 1e-12 * initial,
             "{}: gains {gained:e} of {initial:e}",
             case.name
+        );
+    }
+}
+
+#[test]
+fn racks_that_end_up_resting_on_each_other_do_so_alike_in_two_precisions() {
+    for name in ["rack-lossy", "report-break-pressed"] {
+        let scene = catalogue::scene(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (coarse, fine) = (
+            solve::<f64>(&scene, &Limits::NONE),
+            solve::<DoubleDouble>(&scene, &Limits::NONE),
+        );
+        for trace in [&coarse.trace, &fine.trace] {
+            assert_eq!(trace.ending, Ending::Rest, "{name}: {:?}", trace.ending);
+            let gained = trace.extrema.energy_gained.value;
+            assert!(
+                gained <= 1e-12 * scene.initial_energy(),
+                "{name}: gains {gained:e}"
+            );
+        }
+        let mut worst: f64 = 0.0;
+        for (one, other) in coarse.positions.iter().zip(&fine.positions) {
+            for axis in 0..2 {
+                worst = worst.max((one[axis] - other[axis].to_f64()).abs());
+            }
+        }
+        let allowed = AGREE * scene.smallest_radius();
+        assert!(
+            worst <= allowed,
+            "{name}: {worst:e} apart, allowed {allowed:e}"
         );
     }
 }
