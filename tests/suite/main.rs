@@ -11,6 +11,7 @@ mod circles;
 mod claims;
 mod cli;
 mod compare;
+mod contact;
 mod contract;
 mod contract_faults;
 mod cost;

@@ -4,7 +4,8 @@ use carom::math::Vec3;
 use carom::physics::{Side, State};
 use carom::trace::files::{self, Files};
 use carom::trace::{
-    Certainty, Ending, Event, EventKind, Extrema, Extremum, Knot, Path, Provenance, Spot, Trace,
+    Certainty, Ending, Event, EventKind, Extrema, Extremum, Knot, Partner, Path, Provenance, Spot,
+    Trace,
 };
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -80,7 +81,18 @@ fn kind(balls: u32) -> impl Strategy<Value = EventKind> {
         (0..balls).prop_map(EventKind::SlideToRoll),
         (0..balls).prop_map(EventKind::SpinEnd),
         (0..balls, any::<u32>()).prop_map(|(a, p)| EventKind::Pocket(a, p)),
+        lasting(balls).prop_map(|(a, with)| EventKind::ContactBegin(a, with)),
+        lasting(balls).prop_map(|(a, with)| EventKind::ContactEnd(a, with)),
     ]
+}
+
+/// A ball and what it lies against: a later ball, or a cushion.
+fn lasting(balls: u32) -> impl Strategy<Value = (u32, Partner)> {
+    let side = prop::sample::select(Side::ALL.to_vec());
+    (0..balls, 0..2 * balls, side).prop_map(move |(a, b, side)| match a < b && b < balls {
+        true => (a, Partner::Ball(b)),
+        false => (a, Partner::Cushion(side)),
+    })
 }
 
 fn events(balls: u32) -> impl Strategy<Value = Vec<Event>> {

@@ -56,6 +56,10 @@ export function words(event: Event): string {
       return `${event.a} starts to roll`;
     case "spin-end":
       return `${event.a} stops spinning`;
+    case "contact-begin":
+      return `${event.a} and ${event.b} stay in contact`;
+    case "contact-end":
+      return `${event.a} and ${event.b} are no longer in contact`;
     case "pocket":
       return `${event.a} falls in pocket ${event.b.replace(/^p/, "")}`;
     default:

@@ -210,7 +210,11 @@ pub fn seen(scene: &Scene, trace: &Trace) -> BTreeSet<Branch> {
             EventKind::Pocket(..) => {
                 seen.insert(format!("{}: a ball falls", Pockets::<f64>::ID));
             }
-            EventKind::SlideToRoll(_) | EventKind::SpinEnd(_) | EventKind::Stop(_) => {}
+            EventKind::SlideToRoll(_)
+            | EventKind::SpinEnd(_)
+            | EventKind::Stop(_)
+            | EventKind::ContactBegin(..)
+            | EventKind::ContactEnd(..) => {}
         }
     }
     seen
