@@ -259,7 +259,7 @@ impl<T: Real> Journal<T> {
         if !self.recorder.keeps_knots() {
             return;
         }
-        let length = balls.now() - held.start;
+        let length = (balls.now() - held.start).at_most(held.arc.length);
         for (series, member) in held.arc.series.iter().zip(&held.group.members) {
             let radius = balls.world().radius[member.ball].to_f64();
             // between two knots h apart a changing acceleration leaves jerk h^3 / 12 unexplained

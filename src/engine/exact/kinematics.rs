@@ -150,10 +150,12 @@ impl<'a, T: Real> Kinematics<'a, T> {
     #[inline(never)]
     fn held_now(&self, ball: usize) -> Moving<T> {
         let flight = &self.flights[ball];
-        let held = self.contacts.of(ball);
-        let series = held.and_then(|held| Some((held.series(ball)?, held.start)));
-        match series {
-            Some((series, start)) => series.at(self.now - start),
+        match self
+            .contacts
+            .of(ball)
+            .and_then(|held| held.at(ball, self.now))
+        {
+            Some(moving) => moving,
             None => Moving {
                 position: flight.position,
                 velocity: flight.velocity,
@@ -290,8 +292,8 @@ impl<'a, T: Real> Kinematics<'a, T> {
 
     /// How a ball of a group that is given up moves now.
     pub fn state_in(&self, held: &Held<T>, ball: usize) -> Moving<T> {
-        match held.series(ball) {
-            Some(series) => series.at(self.now - held.start),
+        match held.at(ball, self.now) {
+            Some(moving) => moving,
             None => self.moving(ball),
         }
     }

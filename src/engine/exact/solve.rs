@@ -11,7 +11,6 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
-use super::contact::nested::Knocks;
 use super::flight::{Ground, Phase};
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
@@ -83,11 +82,13 @@ impl<'a, T: Real> Solver<'a, T> {
             slow: slow(&balls),
             foreseen: Vec::new(),
             begun: Vec::new(),
-            knocks: Knocks::new(),
             balls,
             journal,
         };
         let ending = run.run(limits);
+        for held in run.balls.contacts().held() {
+            run.journal.stretch(&run.balls, held);
+        }
         Played {
             ending,
             work: run.agenda.work(),
@@ -154,8 +155,6 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) foreseen: Vec<Foreseen<T>>,
     /// Contacts that this run has brought about, which no convention of the scene speaks of.
     pub(super) begun: Vec<Encounter>,
-    /// The slow impacts of late.
-    pub(super) knocks: Knocks<T>,
     pub(super) journal: Journal<T>,
 }
 

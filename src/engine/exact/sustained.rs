@@ -6,7 +6,6 @@ use super::contact::arc::{Arc, Series};
 use super::contact::decide::{Undetermined, decide, member, settle};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::{Held, Next, Way, encounter};
-use super::contact::nested::Together;
 use super::contact::tail;
 use super::flight::{Flight, Phase};
 use super::impact::Impact;
@@ -19,7 +18,6 @@ use super::solve::Loop;
 use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::Side;
-use crate::physics::invariants::kinetic_energy;
 use crate::trace::{Ending, Partner};
 use nalgebra::Vector3;
 
@@ -35,9 +33,6 @@ const STEADY: f64 = 64.0;
 /// Two answers for one limit are the same if velocities differ by no more than this part of the approach.
 const SAME: f64 = 1e-2;
 
-/// Knocks that shrink together are followed further down than those of one encounter, by this factor: their limit is extrapolated.
-const FINER: f64 = 4.0;
-
 /// The way to a limit is followed if what the approach does to it is this many errors of a position.
 const RESOLVED: f64 = 64.0;
 
@@ -46,6 +41,9 @@ const NEAR: f64 = 32.0;
 
 /// Rounds in which what is left of approaches at a limit is taken out.
 const ROUNDS: usize = 200;
+
+/// A stretch may be this many times what is left of the run.
+const PAST_THE_END: f64 = 1.0 + 1e-6;
 
 /// Stretches without length after which a group does not get on.
 const STUCK: u32 = 64;
@@ -83,11 +81,6 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn accumulates<const N: usize>(&mut self, impact: &Impact<T, N>) -> bool {
         let (encounter, closing) = (impact.encounter, impact.closing);
-        if let Some(together) = self.knock(encounter, closing)
-            && self.go_together(encounter, together, closing)
-        {
-            return true;
-        }
         let states = impact.sides.each_ref().map(|side| Moving {
             position: side.position,
             velocity: side.before,
@@ -113,7 +106,7 @@ impl<T: Real> Loop<'_, T> {
         let others = |known: &Foreseen<T>| known.time > now && known.encounter != encounter;
         self.foreseen.retain(others);
         self.foreseen.push(chosen.clone());
-        if !self.is_noise(closing, 1.0) {
+        if !self.is_noise(closing) {
             return false;
         }
         let balls = impact.sides.iter().map(|side| side.ball);
@@ -131,66 +124,16 @@ impl<T: Real> Loop<'_, T> {
         true
     }
 
-    /// Notes a slow impact; answers where it leads together with others, if it can be left to that now.
-    fn knock(&mut self, encounter: Encounter, closing: T) -> Option<Together<T>> {
-        let balls = &self.balls;
-        let state = |ball: usize| balls.moving(ball);
-        let together = self
-            .knocks
-            .observe(balls.now(), encounter, closing, state)?;
-        let parties: Vec<usize> = together.states.iter().map(|(ball, _)| *ball).collect();
-        let energy = |(ball, end): &(usize, Moving<T>)| {
-            let scene = self.balls.scene();
-            let (mass, inertia) = (scene.balls[*ball].mass, scene.inertia(*ball));
-            let state = |m: &Moving<T>| self.balls.state(*ball, m.position, m.velocity, m.spin);
-            let now = kinetic_energy(&state(&self.balls.moving(*ball)), mass, inertia);
-            kinetic_energy(&state(end), mass, inertia) - now
-        };
-        let gained: f64 = together.states.iter().map(energy).sum();
-        // a group goes as a whole or not at all
-        let whole = parties.iter().all(|ball| {
-            let held = self.balls.contacts().of(*ball);
-            let mut members = held.iter().flat_map(|held| &held.group.members);
-            members.all(|m| parties.contains(&m.ball))
-        });
-        // at the limit everything touches
-        let closed = together.encounters.iter().all(|encounter| {
-            gap_at(self.balls.world(), *encounter, &together.states)
-                .is_some_and(|gap| gap.abs() <= closing * (together.time - self.balls.now()))
-        });
-        let ready = gained <= 0.0 && whole && closed && self.is_noise(closing, FINER);
-        ready.then_some(together)
-    }
-
     /// Whether parties that touch neither approach nor part, but for rounding.
     pub(super) fn is_still(&self, closing: T) -> bool {
         closing <= self.balls.world().blur.speed * T::lift(STEADY)
     }
 
-    /// Whether an approach is so slow, by `times`, that rounding will soon say how it goes on.
-    fn is_noise(&self, closing: T, times: f64) -> bool {
+    /// Whether an approach is so slow that rounding will soon say how it goes on.
+    fn is_noise(&self, closing: T) -> bool {
         let world = self.balls.world();
         let noise = (world.blur.length * world.strongest() * T::lift(2.0)).sqrt();
-        closing <= noise * T::lift(NOISE * times)
-    }
-
-    /// Puts balls on the way to the limit of knocks that shrink together; answers whether it can be left to that.
-    fn go_together(&mut self, encounter: Encounter, together: Together<T>, closing: T) -> bool {
-        let Together {
-            time,
-            mut states,
-            encounters,
-        } = together;
-        calm(self.balls.world(), &encounters, &mut states, true);
-        let Some(passages) = self.way_to(&states, &encounters, [time, closing]) else {
-            return false;
-        };
-        self.knocks.clear();
-        for (ball, _) in &states {
-            self.give_up(*ball);
-        }
-        self.go_to_limit(encounter, &passages, &encounters, time, 1);
-        true
+        closing <= noise * T::lift(NOISE)
     }
 
     /// The straight way of balls to their limit at `time`, s; `None` if it is not near what they do, or something else comes before.
@@ -414,7 +357,9 @@ impl<T: Real> Loop<'_, T> {
 
     fn stretch(&self, group: &Group<T>) -> Arc<T> {
         let world = self.balls.world();
-        Arc::of(world, group, world.duration - self.balls.now())
+        // a stretch that reaches the end of the run ends after it, which is no event
+        let most = (world.duration - self.balls.now()) * T::lift(PAST_THE_END);
+        Arc::of(world, group, most)
     }
 
     /// Decides how balls go on that touch, and lets them. `gone`: contacts whose force has vanished; `changes`: what else has just happened.
@@ -542,7 +487,7 @@ impl<T: Real> Loop<'_, T> {
             .iter()
             .map(|t| encounter_of(&gathered.members, *t));
         let named: Vec<Encounter> = named.collect();
-        calm(self.balls.world(), &named, &mut states, false);
+        calm(self.balls.world(), &named, &mut states);
         for (known, (ball, moving)) in gathered.members.iter_mut().zip(states) {
             if known.moving.velocity != moving.velocity {
                 *known = member(self.balls.world(), ball, moving);
@@ -574,11 +519,6 @@ impl<T: Real> Loop<'_, T> {
         let closing = -self.rate_of(encounter);
         if self.is_still(closing) {
             return self.touch(encounter);
-        }
-        if let Some(together) = self.knock(encounter, closing)
-            && self.go_together(encounter, together, closing)
-        {
-            return None;
         }
         let mut gathered = self.gather(encounter);
         let impact = match self.resolve(encounter, &gathered) {
@@ -971,35 +911,11 @@ fn keep_contacts<T: Real>(
     }
 }
 
-/// The gap of two parties in these states, length.
-fn gap_at<T: Real>(
-    world: &super::world::World<T>,
-    encounter: Encounter,
-    states: &[(usize, Moving<T>)],
-) -> Option<T> {
-    let place = |ball: usize| {
-        let found = states.iter().find(|(b, _)| *b == ball);
-        found.map(|(_, moving)| moving.position)
-    };
-    Some(match encounter {
-        Encounter::Pair(a, b) => {
-            let (p, q) = (place(a)?, place(b)?);
-            let d = [0, 1].map(|i| q[i] - p[i]);
-            (d[0] * d[0] + d[1] * d[1]).sqrt() - world.distance(a, b)
-        }
-        Encounter::Cushion(a, side) => {
-            let gap = world.reach.get(a)?[side as usize] - place(a)?[side.axis()];
-            if side.sign() < 0 { -gap } else { gap }
-        }
-    })
-}
-
-/// Takes out of states what is left of approach and parting of encounters; `gaps`: and of their gaps.
+/// Takes out of states what is left of approach and parting of encounters.
 fn calm<T: Real>(
     world: &super::world::World<T>,
     encounters: &[Encounter],
     states: &mut [(usize, Moving<T>)],
-    gaps: bool,
 ) {
     for _ in 0..ROUNDS {
         for encounter in encounters {
@@ -1020,14 +936,7 @@ fn calm<T: Real>(
                     let v = [0, 1].map(|k| other.velocity[k] - one.velocity[k]);
                     let square = p[0] * p[0] + p[1] * p[1];
                     let along = (p[0] * v[0] + p[1] * v[1]) / square;
-                    let distance = world.distance(a, b);
-                    // to first order in the gap, which is small
-                    let wide = (square - distance * distance) / (square + square);
                     for k in 0..2 {
-                        if gaps {
-                            states[i].1.position[k] += p[k] * wide * share;
-                            states[j].1.position[k] -= p[k] * wide * (T::one() - share);
-                        }
                         states[i].1.velocity[k] += p[k] * along * share;
                         states[j].1.velocity[k] -= p[k] * along * (T::one() - share);
                     }

@@ -48,6 +48,12 @@ impl<T: Real> Held<T> {
         touches.map(|touch| encounter(&self.group, touch)).collect()
     }
 
+    /// How a ball moves at `time`, s; no later than the end of the stretch, whatever the clock can tell.
+    pub fn at(&self, ball: usize, time: T) -> Option<Moving<T>> {
+        let after = (time - self.start).at_most(self.arc.length);
+        Some(self.series(ball)?.at(after))
+    }
+
     /// The series of a ball.
     pub fn series(&self, ball: usize) -> Option<&Series<T>> {
         self.arc.series.iter().find(|series| series.ball == ball)
@@ -98,6 +104,11 @@ impl<T: Real> Contacts<T> {
     /// The group of a ball.
     pub fn of(&self, ball: usize) -> Option<&Held<T>> {
         self.held.iter().find(|held| held.series(ball).is_some())
+    }
+
+    /// All groups.
+    pub fn held(&self) -> &[Held<T>] {
+        &self.held
     }
 
     /// Takes up a group.

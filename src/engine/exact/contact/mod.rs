@@ -1,6 +1,6 @@
 //! Sustained contact: balls that are pressed together, or to a cushion, for longer than an instant.
 //!
-//! - [`tail`]: the limit of infinitely many impacts, by which such a contact mostly begins; [`nested`]: of several encounters together.
+//! - [`tail`]: the limit of infinitely many impacts, by which such a contact mostly begins.
 //! - [`decide`]: which contacts of balls that touch carry a force.
 //! - [`group`]: the equations of their common motion; [`arc`]: its solution, by power series, up to the next change.
 //! - [`held`]: the groups of a run; [`meet`]: what meets their balls.
@@ -14,6 +14,5 @@ pub mod decide;
 pub mod group;
 pub mod held;
 pub mod meet;
-pub mod nested;
 mod row;
 pub mod tail;
