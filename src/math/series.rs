@@ -27,7 +27,7 @@ enum Operation<T> {
 }
 
 /// A right-hand side and the series of everything in it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Tape<T> {
     operations: Vec<Operation<T>>,
     /// Coefficients of each node, by order.
@@ -207,10 +207,10 @@ const HIGHEST: usize = 4;
 /// How far a series may be followed until what it leaves out is `part` of `size`: by the highest of its coefficients, as if those beyond went
 /// on like them; several, because some may vanish. Infinite where it ends.
 pub fn reach<T: Real>(series: &[T], size: f64, part: f64) -> f64 {
-    let top = series.len().saturating_sub(1);
     let mut least = f64::INFINITY;
-    for order in top.saturating_sub(HIGHEST - 1)..=top {
-        let coefficient = series[order].to_f64().abs();
+    let highest = series.iter().enumerate().rev().take(HIGHEST);
+    for (order, coefficient) in highest {
+        let coefficient = coefficient.to_f64().abs();
         if order > 0 && coefficient > 0.0 {
             // in logarithms: the coefficient may be beyond the range of what it is divided by
             let ratio = (part.ln() + size.ln() - coefficient.ln()) / order as f64;

@@ -3,9 +3,10 @@
 //! Both questions are put about what would happen, before it does: nothing here changes a course.
 
 use super::agenda::Agenda;
+use super::encounter::Encounter;
 use super::impact::ImpactSide;
 use super::kinematics::Kinematics;
-use super::predict::{Encounter, Watch};
+use super::predict::Watch;
 use super::simultaneous::Cluster;
 use crate::math::Real;
 use crate::scene::Simultaneous;

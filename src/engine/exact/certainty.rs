@@ -8,8 +8,9 @@
 //! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
 //! that could not change what is said.
 
+use super::encounter::Encounter;
 use super::kinematics::Kinematics;
-use super::predict::{Encounter, Row};
+use super::predict::Row;
 use super::simultaneous::Cluster;
 use super::spin::Moving;
 use super::tangent::{Replay, Script};

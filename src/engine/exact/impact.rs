@@ -2,8 +2,8 @@
 //!
 //! This is the cold side of the loop: it runs once an event and is never inlined into the search for the next one.
 
+use super::encounter::Encounter;
 use super::kinematics::{Course, Kinematics};
-use super::predict::Encounter;
 use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::{Body, Contact, Cushion, Motion, Side, contact, cushion};

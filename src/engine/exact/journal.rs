@@ -3,13 +3,12 @@
 use super::cluster_impact::{ClusterImpact, Met, RowSide};
 use super::contact::arc::Arc;
 use super::contact::group::{Change, Group, Member, Mode};
-use super::contact::held::Held;
+use super::contact::held::{Held, Passage};
+use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
 use super::kinematics::Kinematics;
 use super::phases::PhaseEnd;
-use super::predict::Encounter;
 use super::spin::Moving;
-use super::sustained::parties;
 use crate::math::Real;
 use crate::physics::invariants::{kinetic_energy, momentum};
 use crate::physics::{Side, State};
@@ -301,13 +300,17 @@ impl<T: Real> Journal<T> {
             let state = |m: &Moving<T>| balls.state(member.ball, m.position, m.velocity, m.spin);
             let (near, far) = (state(&near), state(&member.moving));
             let rests = member.mode == Mode::Rests;
-            if !matches!(change, Change::Stops(_)) && !(rests && matches!(change, Change::Rolls(_)))
-            {
+            let comes_to_rest = match change {
+                Change::Stops(_) => true,
+                Change::Rolls(_) => rests,
+                _ => false,
+            };
+            if !comes_to_rest {
                 self.count(balls.now());
                 self.recorder
                     .phase(member.ball, time, &near, &far, kind(member.ball as u32));
             }
-            if rests && matches!(change, Change::Stops(_) | Change::Rolls(_)) {
+            if comes_to_rest {
                 self.count(balls.now());
                 self.recorder.stop(member.ball, time, &near, &far);
             }
@@ -329,7 +332,7 @@ impl<T: Real> Journal<T> {
 
     /// A contact that begins to last, or ends.
     pub fn contact(&mut self, balls: &Kinematics<'_, T>, encounter: Encounter, begins: bool) {
-        let (ball, partner) = parties(encounter);
+        let (ball, partner) = encounter.parties();
         let time = balls.now().to_f64();
         let kind = match begins {
             true => EventKind::ContactBegin(ball as u32, partner),
@@ -372,23 +375,6 @@ impl<T: Real> Journal<T> {
         self.recorder
             .finish(balls.now().to_f64(), &balls.states(), ending, counters)
     }
-}
-
-/// A ball on its way to the limit of an accumulation.
-#[derive(Clone, Copy, Debug)]
-pub struct Passage<T> {
-    /// Index in scene order.
-    pub ball: usize,
-    /// How it moves before the impact.
-    pub before: Moving<T>,
-    /// And after it.
-    pub leaving: Moving<T>,
-    /// Its constant acceleration on the way, length/s^2.
-    pub acceleration: [T; 2],
-    /// The constant rate of its spin on the way, rad/s^2.
-    pub rate: [T; 3],
-    /// How it moves at the limit.
-    pub end: Moving<T>,
 }
 
 fn both<T: Real>(balls: &Kinematics<'_, T>, side: &ImpactSide<T>) -> (State, State) {

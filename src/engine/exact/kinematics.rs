@@ -6,8 +6,8 @@
 //! then set off.
 
 use super::contact::held::{Contacts, Held};
+use super::encounter::Encounter;
 use super::flight::{Flight, Phase};
-use super::predict::Encounter;
 use super::spin::{Moving, Rotation, Spin, Turn};
 use super::world::World;
 use crate::math::{Real, Vec3};
@@ -231,6 +231,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Puts a ball on another course.
     #[inline]
     pub fn set_off(&mut self, ball: usize, course: &Course<T>) {
+        debug_assert!(self.contacts.of(ball).is_none(), "ball {ball} is held");
         let mut was_active = self.flights[ball].moves();
         let mut is_active = course.flight.moves();
         if let Some(next) = &course.spin
@@ -279,7 +280,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
                 fastest: series.fastest,
                 phase: Phase::Held,
             };
-            let spin = self.rotates().then(|| Spin {
+            let spin = self.rotates().then_some(Spin {
                 start: moving.spin,
                 rate: [zero; 3],
                 turn: Turn::Never,

@@ -5,6 +5,7 @@
 //! prediction is made, which other balls are looked at, or in which order; the first of several events is the first by
 //! (time, [`What`]).
 
+use super::encounter::Encounter;
 use super::flight::{Flight, Phase};
 use super::kinematics::Kinematics;
 use super::queue::{Candidate, What};
@@ -16,15 +17,6 @@ use crate::physics::Side;
 
 /// Ulps of the best time so far by which a search goes on: rounding must not hide what is as early.
 const BEYOND: f64 = 4.0;
-
-/// Who meets whom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Encounter {
-    /// Two balls.
-    Pair(usize, usize),
-    /// A ball and a cushion.
-    Cushion(usize, Side),
-}
 
 /// A lookout for what is near: encounters closer than a given gap, noted by predictions of balls whose courses begin now.
 #[derive(Debug)]

@@ -11,15 +11,16 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
+use super::contact::foreseen::{Foreseen, SLOW};
+use super::encounter::Encounter;
 use super::flight::{Ground, Phase};
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
 use super::kinematics::Kinematics;
 use super::phases::PhaseEnd;
-use super::predict::{Encounter, Row, Watch};
+use super::predict::{Row, Watch};
 use super::queue::{Candidate, What};
 use super::range::unfit;
-use super::sustained::{Foreseen, SLOW};
 use crate::engine::Limits;
 use crate::math::Real;
 use crate::physics::Side;
@@ -282,7 +283,7 @@ impl<T: Real> Loop<'_, T> {
                 Standing::Alone => None,
                 // what this run brought together it also resolves together
                 Standing::Ambiguous { balls, .. } if self.has_begun(&balls) => {
-                    return self.cluster_impact(sides, window);
+                    return self.resolve_together(impact.encounter, sides, window);
                 }
                 Standing::Ambiguous { balls, happened } => {
                     let ending = Some(ambiguity::indeterminate(&self.balls, &balls));
@@ -291,7 +292,9 @@ impl<T: Real> Loop<'_, T> {
                     }
                     ending
                 }
-                Standing::Together => return self.cluster_impact(sides, window),
+                Standing::Together => {
+                    return self.resolve_together(impact.encounter, sides, window);
+                }
             }
         };
         for side in sides {
@@ -315,6 +318,21 @@ impl<T: Real> Loop<'_, T> {
             _ => row,
         };
         self.agenda.foresee(&row, Some(watch))
+    }
+
+    /// An instant with several contacts: with those that are held, if there are any.
+    #[cold]
+    fn resolve_together(
+        &mut self,
+        encounter: Encounter,
+        sides: &[ImpactSide<T>],
+        window: T,
+    ) -> Option<Ending> {
+        if self.balls.contacts().held().is_empty() {
+            self.cluster_impact(sides, window)
+        } else {
+            self.struck_together(encounter)
+        }
     }
 
     /// Applies what the scene's convention makes of an instant with several contacts; `seeds`: the impact under which it showed.

@@ -5,7 +5,8 @@
 //! or so of the time that is left, until what is left is rounding. Where nothing turns the series end by themselves, and one stretch is exact.
 
 use super::decide::settle;
-use super::group::{Change, Equations, Group, Mode};
+use super::equations::Equations;
+use super::group::{Change, Group, Mode};
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
 use crate::math::Real;

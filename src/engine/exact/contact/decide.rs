@@ -4,7 +4,8 @@
 //! zero. Every set of pressed contacts is tried; without friction all that answer give the same accelerations, and with it they mostly do. Where
 //! they do not, nothing determines how the balls go on, and the run ends there.
 
-use super::group::{Change, Equations, Group, Hold, Member, Mode, Touch, Twist};
+use super::equations::Equations;
+use super::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use crate::engine::exact::flight::Ground;
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
@@ -331,10 +332,10 @@ fn solved<T: Real>(matrix: &[Vec<T>], free: &[T], pressed: &[usize]) -> Option<V
             if row == pivot {
                 continue;
             }
-            let factor = rows[row][pivot] / rows[pivot][pivot];
-            for column in pivot..=n {
-                let part = factor * rows[pivot][column];
-                rows[row][column] -= part;
+            let above = rows[pivot].clone();
+            let factor = rows[row][pivot] / above[pivot];
+            for (entry, above) in rows[row].iter_mut().zip(above).skip(pivot) {
+                *entry -= factor * above;
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::arc::{Arc, Series};
 use super::group::{Group, Touch};
-use crate::engine::exact::predict::Encounter;
+use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::spin::Moving;
 use crate::math::Real;
 
@@ -24,6 +24,23 @@ pub struct Way<T> {
     pub before: Vec<Moving<T>>,
     /// How they move at the limit.
     pub ends: Vec<Moving<T>>,
+}
+
+/// A ball on its way to the limit of an accumulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// How it moves before the impact.
+    pub before: Moving<T>,
+    /// And after it.
+    pub leaving: Moving<T>,
+    /// Its constant acceleration on the way, length/s^2.
+    pub acceleration: [T; 2],
+    /// The constant rate of its spin on the way, rad/s^2.
+    pub rate: [T; 3],
+    /// How it moves at the limit.
+    pub end: Moving<T>,
 }
 
 /// A group under way.

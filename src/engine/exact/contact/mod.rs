@@ -11,8 +11,11 @@
 
 pub mod arc;
 pub mod decide;
+mod equations;
+pub mod foreseen;
 pub mod group;
 pub mod held;
 pub mod meet;
 mod row;
 pub mod tail;
+pub mod touching;

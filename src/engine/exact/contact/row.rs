@@ -2,8 +2,9 @@
 
 use super::held::Held;
 use super::meet::{Gap, Path, between, closes};
+use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::flight::Phase;
-use crate::engine::exact::predict::{Encounter, Row, Watch, later};
+use crate::engine::exact::predict::{Row, Watch, later};
 use crate::engine::exact::queue::{Candidate, What};
 use crate::math::Real;
 use crate::physics::Side;

@@ -9,8 +9,8 @@
 //! That makes no use of what the ratio of two approaches should be, and so holds for any masses and laws. A run of impacts that is finite shows by
 //! itself: the two part and do not come back, or their approach does not shrink.
 
+use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::flight::Flight;
-use crate::engine::exact::predict::Encounter;
 use crate::engine::exact::spin::{Moving, Spin, Turn};
 use crate::engine::exact::world::World;
 use crate::math::Real;
