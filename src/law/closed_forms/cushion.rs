@@ -58,20 +58,7 @@ impl Audit<'_> {
             return self.fault("cushion-parting", format!("{words}: {off}"));
         }
         if together {
-            self.leave_out(TOGETHER);
-            if law.rotates() {
-                // a mean over orders: its direction is that of no impulse
-                return;
-            }
-            let mut other = far.velocity - near.velocity;
-            other.x = 0.0;
-            let off = other.norm() + (far.surface - near.surface).norm();
-            let allowed = self.chain();
-            if let Some(off) = self.off(Part::Impact, off, allowed) {
-                let words = self.against("several at once", ball, side, jump);
-                self.fault("cushion-friction", format!("{words}, {off}"));
-            }
-            return;
+            return self.among_others(law.rotates(), (ball, side, jump), near, far);
         }
         let (id, want, allowed) = match law {
             Cushion::Elastic {} => ("cushion.elastic", mirrored(near, 1.0), self.grain * size),
@@ -94,6 +81,28 @@ impl Audit<'_> {
             (far, want),
             allowed + NONE,
         );
+    }
+
+    /// One of several contacts at an instant: its impulse has a size that others share, and the direction of its law. `turns`: whether the
+    /// law turns balls; a mean over orders has the direction of no impulse.
+    fn among_others(
+        &mut self,
+        turns: bool,
+        (ball, side, jump): (usize, Side, &Jump),
+        near: Facing,
+        far: Facing,
+    ) {
+        self.leave_out(TOGETHER);
+        if turns {
+            return;
+        }
+        let mut other = far.velocity - near.velocity;
+        other.x = 0.0;
+        let off = other.norm() + (far.surface - near.surface).norm();
+        if let Some(off) = self.off(Part::Impact, off, self.chain()) {
+            let words = self.against("several at once", ball, side, jump);
+            self.fault("cushion-friction", format!("{words}, {off}"));
+        }
     }
 
     /// Holds a motion after an impact against what it should be.

@@ -42,6 +42,9 @@ const NONE: f64 = 1e-150;
 /// Why an impact at an instant with several is looked at for its direction only: its size is that of a convention.
 const TOGETHER: &str = "several impacts at one instant of a convention";
 
+/// Why an impact that stands for many is left out.
+const MANY: &str = "an impact that stands for all of an accumulation";
+
 /// What was held against the laws, and what of it is wrong.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Laws {
@@ -194,6 +197,10 @@ impl Audit<'_> {
                 }
                 EventKind::BallCushion(a, side) => {
                     self.told(event, of(a).len() == 1);
+                    if self.stands_for_many(event) {
+                        self.leave_out(MANY);
+                        continue;
+                    }
                     for jump in of(a) {
                         self.cushion(event, a as usize, side, jump, together);
                     }
@@ -245,9 +252,17 @@ impl Audit<'_> {
             event,
             alike && one.iter().zip(two).all(|(a, b)| a.time == b.time),
         );
+        if self.stands_for_many(event) {
+            return self.leave_out(MANY);
+        }
         for (a, b) in one.iter().zip(two) {
             self.hit(balls, [a, b], together);
         }
+    }
+
+    /// True where an engine that solves for its events went on from here to the limit of an accumulation.
+    fn stands_for_many(&self, event: &Event) -> bool {
+        self.step == 0.0 && event.exchanges.is_some_and(|exchanges| exchanges > 1)
     }
 
     /// True where a convention resolves several impacts at the time of this event: each has a part of the impulse of all.
