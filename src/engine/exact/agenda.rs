@@ -7,7 +7,7 @@
 
 use super::cells::{Cells, ENOUGH_BALLS};
 use super::kinematics::Kinematics;
-use super::predict::{Row, Watch, begun};
+use super::predict::{Row, Watch};
 use super::queue::{Candidate, Queue, What};
 use crate::math::Real;
 use crate::physics::Side;
@@ -183,7 +183,7 @@ impl<T: Real> Agenda<T> {
         } else {
             row.among(all, &mut best, watch, searches);
         }
-        best.time = begun(best.time.at_least(now));
+        best.time = best.time.at_least(now);
         best
     }
 

@@ -53,15 +53,21 @@ impl Run for Escalating<'_> {
             scene,
             solver,
             provenance,
+            contacts,
             ..
         } = self.start;
         let mut trace = judged(solver, provenance.clone(), fullest, limits);
         if !is_certain(&trace) {
-            let solver = Solver::<DoubleDouble>::new(scene);
+            let solver = Solver::<DoubleDouble>::new(scene).at_contacts(contacts);
             trace = judged(solver, provenance.clone(), fullest, limits);
         }
         if !is_certain(&trace) {
-            trace = judged(Solver::<Octuple>::new(scene), provenance, fullest, limits);
+            trace = judged(
+                Solver::<Octuple>::new(scene).at_contacts(contacts),
+                provenance,
+                fullest,
+                limits,
+            );
         }
         if record == Record::Final {
             trace.pare();

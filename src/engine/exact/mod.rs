@@ -54,7 +54,7 @@ mod world;
 
 pub use agenda::Partners;
 pub use certainty::{MOST_BALLS, certify};
-pub use solution::{Solution, final_positions, solve};
+pub use solution::{Solution, final_positions, solve, solve_following};
 
 use super::setting::{knobs_of, parameters};
 use super::{
@@ -86,6 +86,19 @@ pub struct Settings {
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
+    /// Where impacts accumulate, or balls stay in contact: end, the run ends there; follow, it goes on to the limit and through the contact. Under construction: energy is not yet kept where several encounters shrink together.
+    pub contacts: AtContacts,
+}
+
+/// What a run does where impacts have a limit, or contacts last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AtContacts {
+    /// It ends there.
+    #[default]
+    End,
+    /// It goes on.
+    Follow,
 }
 
 /// The scalar of a run.
@@ -225,6 +238,11 @@ impl Engine for Exact {
         if Exact::precision(setting) == Some(Precision::F32) {
             return vec![Invariant::Finite, Invariant::Rerun];
         }
+        // what rounding makes of several encounters that shrink together is not yet bounded
+        let follows = setting.read::<Settings>().map(|settings| settings.contacts);
+        if follows.ok() == Some(AtContacts::Follow) {
+            return vec![Invariant::Finite, Invariant::Bounds, Invariant::Rerun];
+        }
         let mut promised = vec![
             Invariant::Finite,
             Invariant::Momentum,
@@ -333,13 +351,17 @@ struct Prepared<'a, T: Real> {
     solver: Solver<'a, T>,
     provenance: Provenance,
     precision: Precision,
+    contacts: AtContacts,
 }
 
 impl<'a, T: Real> Prepared<'a, T> {
     fn new(scene: &'a Scene, provenance: Provenance, settings: &Settings) -> Self {
         Prepared {
             scene,
-            solver: Solver::new(scene).looking_at(settings.partners),
+            solver: Solver::new(scene)
+                .looking_at(settings.partners)
+                .at_contacts(settings.contacts),
+            contacts: settings.contacts,
             provenance,
             precision: settings.precision,
         }

@@ -156,7 +156,7 @@ impl<'a, T: Real> Row<'a, T> {
     ) -> Candidate<T> {
         let mut best = self.end();
         self.among(partners, &mut best, watch, searches);
-        best.time = begun(best.time.at_least(self.balls.now()));
+        best.time = best.time.at_least(self.balls.now());
         best
     }
 
@@ -369,16 +369,6 @@ impl<'a, T: Real> Row<'a, T> {
             Some(_) if other == self.mate => self.balls.next_version(other),
             _ => self.balls.version(other),
         }
-    }
-}
-
-/// Time 0 for what is no later but for the underflow of a quotient.
-#[inline]
-pub(super) fn begun<T: Real>(time: T) -> T {
-    if time < T::lift(f64::MIN_POSITIVE) {
-        T::zero()
-    } else {
-        time
     }
 }
 

@@ -7,6 +7,7 @@
 //! while no time passes (`collapse`), and what is written down (`journal`). An event is a value before it is applied: `impact`,
 //! `cluster_impact` and `phases` decide it from the kinematics, `ambiguity` whether it stands alone.
 
+use super::AtContacts;
 use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
@@ -33,6 +34,7 @@ use std::array;
 pub struct Solver<'a, T: Real> {
     balls: Kinematics<'a, T>,
     partners: Partners,
+    contacts: AtContacts,
 }
 
 impl<'a, T: Real> Solver<'a, T> {
@@ -41,12 +43,18 @@ impl<'a, T: Real> Solver<'a, T> {
         Solver {
             balls: Kinematics::new(scene),
             partners: Partners::Auto,
+            contacts: AtContacts::End,
         }
     }
 
     /// The same run with predictions that look at `partners`.
     pub fn looking_at(self, partners: Partners) -> Self {
         Solver { partners, ..self }
+    }
+
+    /// The same run, which ends or goes on where contacts last.
+    pub fn at_contacts(self, contacts: AtContacts) -> Self {
+        Solver { contacts, ..self }
     }
 
     /// What is inside: the balls at time 0.
@@ -67,7 +75,11 @@ impl<'a, T: Real> Solver<'a, T> {
         limits: &Limits<'_>,
         times: bool,
     ) -> Played<'a, T> {
-        let Solver { balls, partners } = self;
+        let Solver {
+            balls,
+            partners,
+            contacts,
+        } = self;
         let journal = Journal::new(&balls, provenance, record, times);
         if let Some(ending) = unfit(&balls) {
             return Played {
@@ -80,7 +92,11 @@ impl<'a, T: Real> Solver<'a, T> {
         let mut run = Loop {
             agenda: Agenda::new(&balls, partners),
             streaks: Streaks::new(balls.count()),
-            slow: slow(&balls),
+            slow: match contacts {
+                // none is
+                AtContacts::End => T::lift(f64::NEG_INFINITY),
+                AtContacts::Follow => slow(&balls),
+            },
             foreseen: Vec::new(),
             begun: Vec::new(),
             balls,
