@@ -86,7 +86,7 @@ pub struct Settings {
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
-    /// Where impacts accumulate, or balls stay in contact: end, the run ends there; follow, it goes on to the limit and through the contact. Under construction: energy is not yet kept where several encounters shrink together.
+    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: energy is not yet kept where several encounters shrink together.
     pub contacts: AtContacts,
 }
 
@@ -94,9 +94,9 @@ pub struct Settings {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AtContacts {
-    /// It ends there.
+    /// It ends there, as collapsed.
     #[default]
-    End,
+    Collapse,
     /// It goes on.
     Follow,
 }

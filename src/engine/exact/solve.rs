@@ -43,7 +43,7 @@ impl<'a, T: Real> Solver<'a, T> {
         Solver {
             balls: Kinematics::new(scene),
             partners: Partners::Auto,
-            contacts: AtContacts::End,
+            contacts: AtContacts::Collapse,
         }
     }
 
@@ -94,7 +94,7 @@ impl<'a, T: Real> Solver<'a, T> {
             streaks: Streaks::new(balls.count()),
             slow: match contacts {
                 // none is
-                AtContacts::End => T::lift(f64::NEG_INFINITY),
+                AtContacts::Collapse => T::lift(f64::NEG_INFINITY),
                 AtContacts::Follow => slow(&balls),
             },
             foreseen: Vec::new(),

@@ -9,6 +9,11 @@ use std::collections::BTreeSet;
 /// Keys that no gate scene can hold.
 const EXEMPT: &[Exempt] = &[
     Exempt {
+        what: "contacts",
+        engine: "exact",
+        why: "following contacts is under construction: `contact` holds it against solutions that carom did not make",
+    },
+    Exempt {
         what: "partners",
         engine: "stepper",
         why: "it changes cost only: the trace is the same to the bit, which `transcription` holds",
