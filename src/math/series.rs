@@ -294,6 +294,9 @@ mod tests {
             let error = (at(&series, h) - 1.0 / (1.0 - h)).abs();
             assert!(error < 2.0 * part && error > 1e-4 * part, "{h}: {error:e}");
         }
-        assert_eq!(reach(&[1.0, 2.0, 3.0, 0.0, 0.0], 1.0, 1e-16), f64::INFINITY);
+        assert_eq!(
+            reach(&[1.0, 2.0, 0.0, 0.0, 0.0, 0.0], 1.0, 1e-16),
+            f64::INFINITY
+        );
     }
 }
