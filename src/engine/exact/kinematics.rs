@@ -43,6 +43,8 @@ pub struct Kinematics<'a, T: Real> {
     versions: Vec<u32>,
     /// Balls that are held together, and parties that part.
     contacts: Contacts<T>,
+    /// True if there are none of those: what every prediction asks.
+    quiet: bool,
     /// Balls that move or turn.
     active: usize,
     now: T,
@@ -60,6 +62,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
             flights,
             spins,
             contacts: Contacts::new(),
+            quiet: true,
             active: 0,
             now: T::zero(),
         };
@@ -138,7 +141,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
     #[inline]
     pub fn at(&self, ball: usize) -> ([T; 2], [T; 2]) {
         let flight = &self.flights[ball];
-        if flight.phase == Phase::Held {
+        if !self.quiet && flight.phase == Phase::Held {
             let moving = self.held_now(ball);
             return (moving.position, moving.velocity);
         }
@@ -177,7 +180,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
     pub fn spin_now(&self, ball: usize) -> [T; 3] {
         match self.spins.get(ball) {
             None => [T::zero(); 3],
-            Some(_) if self.flights[ball].phase == Phase::Held => self.held_now(ball).spin,
+            Some(_) if self.is_held(ball) => self.held_now(ball).spin,
             Some(spin) => spin.after(self.now - self.flights[ball].start),
         }
     }
@@ -256,7 +259,13 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Whether a ball is held by contacts.
     #[inline]
     pub fn is_held(&self, ball: usize) -> bool {
-        self.flights[ball].phase == Phase::Held
+        !self.quiet && self.flights[ball].phase == Phase::Held
+    }
+
+    /// True if nothing is held, and nothing parts.
+    #[inline]
+    pub fn is_quiet(&self) -> bool {
+        self.quiet
     }
 
     /// Whether two parties are on the courses on which they parted.
@@ -289,6 +298,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
             self.set_off(member.ball, &Course { flight, spin });
         }
         self.contacts.add(held);
+        self.quiet = false;
     }
 
     /// How a ball of a group that is given up moves now.
@@ -302,7 +312,10 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Gives up the group of a ball, all of whose balls have to set off next.
     #[cold]
     pub fn let_go(&mut self, ball: usize) -> Option<Held<T>> {
-        self.contacts.remove(ball)
+        let held = self.contacts.remove(ball);
+        // a ball that was held is on no course of its own until it sets off
+        self.quiet = held.is_none() && self.contacts.is_empty();
+        held
     }
 
     /// Notes that two parties part on the courses that they are on.
@@ -311,6 +324,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
         let versions = &self.versions;
         self.contacts.forget(|ball| versions[ball]);
         self.contacts.part(encounter, |ball| versions[ball]);
+        self.quiet = false;
     }
 
     /// Takes a ball out of play: from here on it is nowhere, and nothing meets it.

@@ -188,7 +188,7 @@ impl<'a, T: Real> Row<'a, T> {
         searches: &mut u64,
     ) {
         let world = self.balls.world();
-        if !self.balls.contacts().is_empty() {
+        if !self.balls.is_quiet() {
             return self.among_contacts(partners, best, watch, searches);
         }
         if self.flight.moves() {

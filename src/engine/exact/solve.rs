@@ -14,7 +14,7 @@ use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
 use super::contact::foreseen::{Foreseen, SLOW};
 use super::encounter::Encounter;
-use super::flight::{Ground, Phase};
+use super::flight::Ground;
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
 use super::kinematics::Kinematics;
@@ -252,7 +252,7 @@ impl<T: Real> Loop<'_, T> {
     /// Two balls meet.
     #[inline(never)]
     pub(super) fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
-        if self.balls.is_held(a) || self.balls.is_held(b) {
+        if !self.balls.is_quiet() && (self.balls.is_held(a) || self.balls.is_held(b)) {
             return self.struck(Encounter::Pair(a, b));
         }
         let law = self.balls.world().contact?;
@@ -406,7 +406,7 @@ impl<T: Real> Loop<'_, T> {
     /// The phase of a ball ends by itself.
     #[inline(never)]
     fn phase_end(&mut self, ball: usize) -> Option<Ending> {
-        if self.balls.flight(ball).phase == Phase::Held {
+        if self.balls.is_held(ball) {
             return self.stretch_end(ball);
         }
         let end = PhaseEnd::of(&self.balls, ball);
