@@ -380,6 +380,23 @@ mod tests {
     }
 
     #[test]
+    fn no_file_comes_into_a_stage_while_the_program_ends() {
+        let folder = tempfile::tempdir().unwrap();
+        let stage = Stage::new(folder.path()).unwrap();
+        let ends = super::stage::in_one_piece();
+        thread::scope(|scope| {
+            let writer = scope.spawn(|| stage.put(0, b"late"));
+            // as long as it takes a writer that does not wait, many times over
+            thread::sleep(std::time::Duration::from_millis(100));
+            let came = stage.path(0).exists();
+            drop(ends);
+            writer.join().unwrap().unwrap();
+            assert!(!came, "a file came into a stage that may be being removed");
+        });
+        assert_eq!(fs::read(stage.path(0)).unwrap(), b"late");
+    }
+
+    #[test]
     fn what_is_not_ours_is_not_touched() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);

@@ -60,8 +60,8 @@ impl Stage {
         let mut stages = stages();
         let folder = builder.tempdir_in(folder)?;
         stages.push(folder.path().to_owned());
-        drop(stages);
         let alive = File::create_new(folder.path().join(ALIVE))?;
+        drop(stages);
         // where the file system has no locks nobody can find out that this is no leftover, and nobody removes one
         alive.try_lock().ok();
         Ok(Stage {
@@ -77,7 +77,10 @@ impl Stage {
 
     /// Writes file `number`, to disk.
     pub fn put(&self, number: usize, content: &[u8]) -> io::Result<()> {
+        // no file comes into a stage that is being removed
+        let turn = stages();
         let mut file = File::create_new(self.path(number))?;
+        drop(turn);
         file.write_all(content)?;
         file.sync_all()
     }

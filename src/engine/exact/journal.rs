@@ -223,8 +223,8 @@ impl<T: Real> Journal<T> {
         let event = self.recorder.event(time, kind, Some(u64::from(impacts)));
         for passage in passages {
             let ball = passage.ball;
-            let state = |m: &Moving<T>| balls.state(ball, m.position, m.velocity, m.spin);
-            let (before, leaving) = (state(&passage.before), state(&passage.leaving));
+            let before = balls.state_of(ball, &passage.before);
+            let leaving = balls.state_of(ball, &passage.leaving);
             self.recorder.jump(ball, time, &before, &leaving, event);
         }
     }
@@ -242,9 +242,8 @@ impl<T: Real> Journal<T> {
         for ((member, before), after) in members.iter().zip(before).zip(after) {
             let ball = member.ball;
             let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
-            let state = |m: &Moving<T>| balls.state(ball, m.position, m.velocity, m.spin);
-            gained += kinetic_energy(&state(after), mass, inertia)
-                - kinetic_energy(&state(before), mass, inertia);
+            let energy = |m: &Moving<T>| kinetic_energy(&balls.state_of(ball, m), mass, inertia);
+            gained += energy(after) - energy(before);
         }
         if let Some(first) = members.first() {
             let other = members.get(1).map(|member| member.ball);
@@ -267,12 +266,7 @@ impl<T: Real> Journal<T> {
             let pieces = pieces.ceil().clamp(1.0, MOST_PIECES);
             for piece in 1..=pieces as u32 {
                 let after = length * T::lift(f64::from(piece) / pieces);
-                let Moving {
-                    position,
-                    velocity,
-                    spin,
-                } = series.at(after);
-                let state = balls.state(member.ball, position, velocity, spin);
+                let state = balls.state_of(member.ball, &series.at(after));
                 let time = (held.start + after).to_f64().min(balls.now().to_f64());
                 self.recorder.pin(member.ball, time, &state);
             }
@@ -297,34 +291,27 @@ impl<T: Real> Journal<T> {
             };
             let member = &group.members[i];
             let near = arc.series[i].at(arc.length);
-            let state = |m: &Moving<T>| balls.state(member.ball, m.position, m.velocity, m.spin);
-            let (near, far) = (state(&near), state(&member.moving));
+            let near = balls.state_of(member.ball, &near);
+            let far = balls.state_of(member.ball, &member.moving);
             let rests = member.mode == Mode::Rests;
             let comes_to_rest = match change {
                 Change::Stops(_) => true,
                 Change::Rolls(_) => rests,
                 _ => false,
             };
-            if !comes_to_rest {
-                self.count(balls.now());
+            self.count(balls.now());
+            if comes_to_rest {
+                self.recorder.stop(member.ball, time, &near, &far);
+            } else {
                 self.recorder
                     .phase(member.ball, time, &near, &far, kind(member.ball as u32));
-            }
-            if comes_to_rest {
-                self.count(balls.now());
-                self.recorder.stop(member.ball, time, &near, &far);
             }
         }
     }
 
     /// The limit of an accumulation in which a ball comes to rest.
     pub fn stop(&mut self, balls: &Kinematics<'_, T>, member: &Member<T>) {
-        let Moving {
-            position,
-            velocity,
-            spin,
-        } = member.moving;
-        let state = balls.state(member.ball, position, velocity, spin);
+        let state = balls.state_of(member.ball, &member.moving);
         self.count(balls.now());
         self.recorder
             .stop(member.ball, balls.now().to_f64(), &state, &state);
@@ -342,12 +329,7 @@ impl<T: Real> Journal<T> {
         let event = self.recorder.event(time, kind, None);
         let (first, second) = kind.balls();
         for ball in std::iter::once(first).chain(second) {
-            let Moving {
-                position,
-                velocity,
-                spin,
-            } = balls.moving(ball);
-            let state = balls.state(ball, position, velocity, spin);
+            let state = balls.state_of(ball, &balls.moving(ball));
             self.recorder.jump(ball, time, &state, &state, event);
         }
     }

@@ -43,7 +43,7 @@ pub struct Kinematics<'a, T: Real> {
     versions: Vec<u32>,
     /// Balls that are held together, and parties that part.
     contacts: Contacts<T>,
-    /// True if there are none of those: what every prediction asks.
+    /// True as long as there has been none of those: what every prediction asks.
     quiet: bool,
     /// Balls that move or turn.
     active: usize,
@@ -153,21 +153,14 @@ impl<'a, T: Real> Kinematics<'a, T> {
     #[inline(never)]
     fn held_now(&self, ball: usize) -> Moving<T> {
         let flight = &self.flights[ball];
-        match self
-            .contacts
-            .of(ball)
-            .and_then(|held| held.at(ball, self.now))
-        {
-            Some(moving) => moving,
-            None => Moving {
-                position: flight.position,
-                velocity: flight.velocity,
-                spin: self
-                    .spins
-                    .get(ball)
-                    .map_or([T::zero(); 3], |spin| spin.start),
-            },
-        }
+        let held = self.contacts.of(ball);
+        let moving = held.and_then(|held| held.at(ball, self.now));
+        // a ball whose group is given up is where it set out until it sets off again
+        moving.unwrap_or_else(|| Moving {
+            position: flight.position,
+            velocity: flight.velocity,
+            spin: (self.spins.get(ball)).map_or([T::zero(); 3], |spin| spin.start),
+        })
     }
 
     /// Centre of a ball now.
@@ -262,7 +255,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
         !self.quiet && self.flights[ball].phase == Phase::Held
     }
 
-    /// True if nothing is held, and nothing parts.
+    /// True as long as nothing has been held, and nothing has parted.
     #[inline]
     pub fn is_quiet(&self) -> bool {
         self.quiet
@@ -312,10 +305,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Gives up the group of a ball, all of whose balls have to set off next.
     #[cold]
     pub fn let_go(&mut self, ball: usize) -> Option<Held<T>> {
-        let held = self.contacts.remove(ball);
-        // a ball that was held is on no course of its own until it sets off
-        self.quiet = held.is_none() && self.contacts.is_empty();
-        held
+        self.contacts.remove(ball)
     }
 
     /// Notes that two parties part on the courses that they are on.
@@ -375,6 +365,11 @@ impl<'a, T: Real> Kinematics<'a, T> {
             velocity: Vec3::new(velocity[0].to_f64(), velocity[1].to_f64(), 0.0),
             spin: spin.map(T::to_f64).into(),
         }
+    }
+
+    /// The same of how a ball moves.
+    pub fn state_of(&self, ball: usize, moving: &Moving<T>) -> State {
+        self.state(ball, moving.position, moving.velocity, moving.spin)
     }
 
     /// Here and now.

@@ -9,7 +9,6 @@ use super::encounter::Encounter;
 use super::flight::{Flight, Phase};
 use super::impact::Impact;
 use super::predict::Row;
-use super::queue::What;
 use super::solve::Loop;
 use super::spin::Moving;
 use crate::math::Real;
@@ -60,18 +59,10 @@ impl<T: Real> Loop<'_, T> {
         if !self.is_noise(closing) {
             return false;
         }
-        let balls = impact.sides.iter().map(|side| side.ball);
-        let ends: Vec<(usize, Moving<T>)> = balls.zip(chosen.states).collect();
-        let Some(passages) = self.way_to(&ends, &[encounter], [chosen.time, closing]) else {
+        let Some(passages) = self.way_to(&chosen, closing) else {
             return false;
         };
-        self.go_to_limit(
-            encounter,
-            &passages,
-            &[encounter],
-            chosen.time,
-            limit.impacts,
-        );
+        self.go_to_limit(encounter, &passages, chosen.time, limit.impacts);
         true
     }
 
@@ -82,15 +73,11 @@ impl<T: Real> Loop<'_, T> {
         closing <= noise * T::lift(NOISE)
     }
 
-    /// The straight way of balls to their limit at `time`, s; `None` if it is not near what they do, or something else comes before.
-    fn way_to(
-        &mut self,
-        ends: &[(usize, Moving<T>)],
-        encounters: &[Encounter],
-        [time, closing]: [T; 2],
-    ) -> Option<Vec<Passage<T>>> {
-        let now = self.balls.now();
-        let after = time - now;
+    /// The straight way of two parties to their limit, from an approach at `closing`, length/s; `None` if it is not near what they do, or
+    /// something else comes before.
+    fn way_to(&mut self, limit: &Foreseen<T>, closing: T) -> Option<Vec<Passage<T>>> {
+        let (encounter, time) = (limit.encounter, limit.time);
+        let after = time - self.balls.now();
         let world = self.balls.world();
         if after <= T::zero() || time > world.duration {
             return None;
@@ -99,8 +86,8 @@ impl<T: Real> Loop<'_, T> {
         let resolved = after * closing > world.blur.length * T::lift(RESOLVED);
         let most = closing * T::lift(NEAR) + world.strongest() * after * T::lift(2.0);
         let mut passages = Vec::new();
-        for (ball, end) in ends {
-            let start = self.balls.moving(*ball);
+        for (ball, end) in encounter.balls().zip(&limit.states) {
+            let start = self.balls.moving(ball);
             let two = T::lift(2.0);
             let way = [0, 1].map(|i| end.position[i] - start.position[i]);
             // through both ends with a constant acceleration
@@ -118,7 +105,7 @@ impl<T: Real> Loop<'_, T> {
                 }
             };
             passages.push(Passage {
-                ball: *ball,
+                ball,
                 before: start,
                 leaving: Moving {
                     velocity: leaving,
@@ -131,12 +118,12 @@ impl<T: Real> Loop<'_, T> {
         }
         let comes = passages
             .iter()
-            .any(|passage| self.comes_before(passage, encounters, time));
+            .any(|passage| self.comes_before(passage, encounter, time));
         (!comes).then_some(passages)
     }
 
-    /// Whether an event of a ball on its way to a limit, besides its `encounters`, comes before `time`, s.
-    fn comes_before(&mut self, passage: &Passage<T>, encounters: &[Encounter], time: T) -> bool {
+    /// Whether an event of a ball on its way to a limit, besides its `encounter`, comes before `time`, s.
+    fn comes_before(&mut self, passage: &Passage<T>, encounter: Encounter, time: T) -> bool {
         let Passage { ball, leaving, .. } = *passage;
         let size = |[x, y]: [T; 2]| (x * x + y * y).sqrt();
         let flight = Flight {
@@ -149,25 +136,15 @@ impl<T: Real> Loop<'_, T> {
             phase: Phase::Curve,
         };
         let row = Row::setting_off(&self.balls, ball, &flight);
-        let row = match encounters {
-            [one] => row.without(*one),
-            _ => row,
-        };
-        let next = self.agenda.foresee(&row, None);
-        let own = match next.what {
-            What::Pair(a, b) => encounters.contains(&Encounter::Pair(a as usize, b as usize)),
-            What::Cushion(a, side) => encounters.contains(&Encounter::Cushion(a as usize, side)),
-            _ => false,
-        };
-        next.time <= time && !own
+        let row = row.without(encounter);
+        self.agenda.foresee(&row, None).time <= time
     }
 
-    /// Puts balls on their way to a limit at `time`, s, of these encounters.
+    /// Puts two parties on their way to a limit at `time`, s.
     fn go_to_limit(
         &mut self,
         encounter: Encounter,
         passages: &[Passage<T>],
-        encounters: &[Encounter],
         time: T,
         impacts: u32,
     ) {
@@ -175,14 +152,13 @@ impl<T: Real> Loop<'_, T> {
         let after = time - now;
         self.journal
             .accumulation(&self.balls, encounter, passages, impacts);
-        let place = |ball: usize| passages.iter().position(|p| p.ball == ball).unwrap_or(0);
-        let holds = encounters.iter().map(|encounter| Hold {
-            touch: match *encounter {
-                Encounter::Pair(a, b) => Touch::Pair(place(a), place(b)),
-                Encounter::Cushion(a, side) => Touch::Cushion(place(a), side),
+        let hold = Hold {
+            touch: match encounter {
+                Encounter::Pair(..) => Touch::Pair(0, 1),
+                Encounter::Cushion(_, side) => Touch::Cushion(0, side),
             },
             pressed: true,
-        });
+        };
         let members = passages.iter().map(|p| Member {
             ball: p.ball,
             moving: p.leaving,
@@ -194,7 +170,7 @@ impl<T: Real> Loop<'_, T> {
             .map(|p| Series::straight(p.ball, &p.leaving, p.acceleration, p.rate, after));
         self.hold(Held {
             group: Group {
-                holds: holds.collect(),
+                holds: vec![hold],
                 members: members.collect(),
             },
             arc: Arc {
@@ -204,10 +180,7 @@ impl<T: Real> Loop<'_, T> {
             },
             start: now,
             next: Next::Limit(Way {
-                encounter: match encounters {
-                    [one] => Some(*one),
-                    _ => None,
-                },
+                encounter,
                 before: passages.iter().map(|p| p.before).collect(),
                 ends: passages.iter().map(|p| p.end).collect(),
             }),
@@ -230,9 +203,7 @@ impl<T: Real> Loop<'_, T> {
         self.journal.stretch(&self.balls, &held);
         let after = self.balls.now() - held.start;
         let world = self.balls.world();
-        let found = way
-            .encounter
-            .and_then(|encounter| tail::until(world, encounter, &way.before, after));
+        let found = tail::until(world, way.encounter, &way.before, after);
         let along = held.group.members.iter();
         let states =
             found.unwrap_or_else(|| along.map(|m| self.balls.state_in(&held, m.ball)).collect());

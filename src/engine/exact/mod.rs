@@ -9,6 +9,8 @@
 //!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`: what becomes of such an instant
 //!   where the scene names a convention, by `instant` (losses), `reflections` (normal impulses) and `rubbing` (friction); `collapse`: when
 //!   impacts without time passing are too many to be finite.
+//! - `contact`, where a run follows them: the limit of accumulating impacts, and balls that stay in contact; `limits` and `sustained` are the
+//!   loop's part in them. `encounter`: who meets whom.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
 //!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the

@@ -3,10 +3,10 @@
 use super::cluster_impact::ClusterImpact;
 use super::contact::arc::Arc;
 use super::contact::decide::{Undetermined, decide, member};
-use super::contact::group::{Change, Group, Member, Mode, Touch, Twist};
-use super::contact::held::{Held, Next, encounter};
+use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
+use super::contact::held::{Held, Next};
 use super::contact::touching::{
-    Gathered, STEADY, calm, components, encounter_of, keep_contacts, rate, touching,
+    Gathered, STEADY, calm, components, keep_contacts, rate, rate_between, rate_to, touching,
 };
 use super::encounter::Encounter;
 use super::predict::Row;
@@ -24,7 +24,7 @@ const PAST_THE_END: f64 = 1.0 + 1e-6;
 const STUCK: u32 = 64;
 
 impl<T: Real> Loop<'_, T> {
-    /// Whether parties that touch neither approach nor part, but for rounding.
+    /// Whether parties that touch do not approach, at this rate, but for rounding.
     pub(super) fn is_still(&self, closing: T) -> bool {
         closing <= self.balls.world().blur.speed * T::lift(STEADY)
     }
@@ -135,8 +135,8 @@ impl<T: Real> Loop<'_, T> {
             touches,
             held,
         } = gathered;
-        let named = |members: &[Member<T>], touch: &Touch| encounter_of(members, *touch);
-        let before: Vec<Encounter> = touches.iter().map(|t| named(&members, t)).collect();
+        let before = touches.iter().map(|touch| touch.encounter(&members));
+        let before: Vec<Encounter> = before.collect();
         if stuck > STUCK {
             let balls: Vec<usize> = members.iter().map(|m| m.ball).collect();
             let why = "balls in contact change their states again and again without time passing";
@@ -150,21 +150,20 @@ impl<T: Real> Loop<'_, T> {
             }
         };
         let members = decision.group.members.clone();
-        let mut free: Vec<usize> = Vec::new();
         let mut balls: Vec<usize> = Vec::new();
         let mut lasting: Vec<Encounter> = Vec::new();
         for group in components(&decision.group) {
             balls.extend(group.members.iter().map(|m| m.ball));
             let rests = group.members.iter().all(|m| m.mode == Mode::Rests);
             if group.holds.is_empty() || rests {
-                free.extend(group.members.iter().map(|m| m.ball));
                 for m in &group.members {
                     self.balls
                         .set_off(m.ball, &self.balls.course(m.ball, m.moving));
                 }
                 continue;
             }
-            lasting.extend(group.holds.iter().map(|hold| encounter(&group, hold.touch)));
+            let named = |hold: &Hold| hold.touch.encounter(&group.members);
+            lasting.extend(group.holds.iter().map(named));
             let arc = self.stretch(&group);
             self.balls.hold(Held {
                 arc,
@@ -175,7 +174,7 @@ impl<T: Real> Loop<'_, T> {
             });
         }
         for touch in &decision.parting {
-            self.balls.part(encounter_of(&members, *touch));
+            self.balls.part(touch.encounter(&members));
         }
         self.tell(&before, &held, &lasting);
         self.predict_all(&balls);
@@ -185,10 +184,8 @@ impl<T: Real> Loop<'_, T> {
     /// Whether two of these balls came to touch during this run.
     #[cold]
     pub(super) fn has_begun(&self, balls: &[usize]) -> bool {
-        self.begun.iter().any(|encounter| match *encounter {
-            Encounter::Pair(a, b) => balls.contains(&a) && balls.contains(&b),
-            Encounter::Cushion(a, _) => balls.contains(&a),
-        })
+        let begun = &mut self.begun.iter();
+        begun.any(|encounter| encounter.balls().all(|ball| balls.contains(&ball)))
     }
 
     fn begin(&mut self, encounter: Encounter) {
@@ -221,7 +218,7 @@ impl<T: Real> Loop<'_, T> {
     ) -> Ending {
         let scene = self.balls.scene();
         let id = |ball: usize| scene.balls[ball].id.as_str();
-        let name = |touch: &Touch| match encounter_of(members, *touch) {
+        let name = |touch: &Touch| match touch.encounter(members) {
             Encounter::Pair(a, b) => format!("{}-{}", id(a), id(b)),
             Encounter::Cushion(a, side) => format!("{}-{}", id(a), side.id()),
         };
@@ -245,7 +242,7 @@ impl<T: Real> Loop<'_, T> {
         let named = gathered
             .touches
             .iter()
-            .map(|t| encounter_of(&gathered.members, *t));
+            .map(|t| t.encounter(&gathered.members));
         let named: Vec<Encounter> = named.collect();
         calm(self.balls.world(), &named, &mut states);
         for (known, (ball, moving)) in gathered.members.iter_mut().zip(states) {
@@ -264,13 +261,10 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn struck(&mut self, encounter: Encounter) -> Option<Ending> {
-        let (first, second) = match encounter {
-            Encounter::Pair(a, b) => (a, b),
-            Encounter::Cushion(a, _) => (a, a),
-        };
-        self.interrupt(first);
-        self.interrupt(second);
-        if !self.balls.is_held(first) && !self.balls.is_held(second) {
+        for ball in encounter.balls() {
+            self.interrupt(ball);
+        }
+        if !encounter.balls().any(|ball| self.balls.is_held(ball)) {
             return match encounter {
                 Encounter::Pair(a, b) => self.pair(a, b),
                 Encounter::Cushion(a, side) => self.cushion(a, side),
@@ -317,9 +311,7 @@ impl<T: Real> Loop<'_, T> {
         let steady = steady.filter(|touch| self.is_steady(&members, *touch));
         let steady: Vec<Touch> = steady.collect();
         for encounter in &held {
-            let stays = steady
-                .iter()
-                .any(|t| encounter_of(&members, *t) == *encounter);
+            let stays = steady.iter().any(|t| t.encounter(&members) == *encounter);
             if !stays {
                 self.journal.contact(&self.balls, *encounter, false);
             }
@@ -387,25 +379,15 @@ impl<T: Real> Loop<'_, T> {
             members.iter().map(|m| m.moving.spin).collect(),
             touches.collect(),
         );
-        let seeds: Vec<usize> = match encounter {
-            Encounter::Pair(a, b) => vec![a, b],
-            Encounter::Cushion(a, _) => vec![a],
-        };
+        let seeds: Vec<usize> = encounter.balls().collect();
         ClusterImpact::of_cluster(&self.balls, &cluster, &seeds)
     }
 
     /// Rate of the gap of two parties now, length/s.
     fn rate_of(&self, encounter: Encounter) -> T {
         match encounter {
-            Encounter::Pair(a, b) => {
-                let ((p, v), (q, w)) = (self.balls.at(a), self.balls.at(b));
-                let p = [0, 1].map(|i| q[i] - p[i]);
-                (p[0] * (w[0] - v[0]) + p[1] * (w[1] - v[1])) / (p[0] * p[0] + p[1] * p[1]).sqrt()
-            }
-            Encounter::Cushion(a, side) => {
-                let v = self.balls.at(a).1[side.axis()];
-                if side.sign() < 0 { v } else { -v }
-            }
+            Encounter::Pair(a, b) => rate_between(&self.balls.moving(a), &self.balls.moving(b)),
+            Encounter::Cushion(a, side) => rate_to(&self.balls.moving(a), side),
         }
     }
 
@@ -423,52 +405,36 @@ impl<T: Real> Loop<'_, T> {
 
     /// Whether two parties that touch neither approach nor part.
     fn is_steady(&self, members: &[Member<T>], touch: Touch) -> bool {
-        let slow = self.balls.world().blur.speed * T::lift(STEADY);
-        rate(members, touch).abs() <= slow
+        self.is_still(rate(members, touch).abs())
     }
 
     /// Everything that touches the parties of `seed`, directly or through others, without closing in; taken out of the groups that hold it.
     fn gather(&mut self, seed: Encounter) -> Gathered<T> {
-        let (first, second) = match seed {
-            Encounter::Pair(a, b) => (a, Some(b)),
-            Encounter::Cushion(a, _) => (a, None),
-        };
-        let mut balls: Vec<usize> = std::iter::once(first).chain(second).collect();
+        let mut balls: Vec<usize> = seed.balls().collect();
         let mut encounters = vec![seed];
         let mut held = Vec::new();
         let mut next = 0;
         while let Some(&ball) = balls.get(next) {
             next += 1;
             self.interrupt(ball);
-            if let Some(group) = self.balls.contacts().of(ball) {
-                for encounter in group.encounters() {
-                    if !held.contains(&encounter) {
-                        held.push(encounter);
-                    }
-                }
-            }
-            for encounter in touching(&self.balls, &self.agenda, ball) {
-                if !encounters.contains(&encounter) {
-                    encounters.push(encounter);
-                }
-                if let Encounter::Pair(a, b) = encounter {
-                    for other in [a, b] {
-                        if !balls.contains(&other) {
-                            balls.push(other);
-                        }
-                    }
-                }
-            }
-            for encounter in held.iter().filter(|e| e.involves(ball)) {
+            let own = self.balls.contacts().of(ball);
+            let own = own.map_or_else(Vec::new, Held::encounters);
+            let own = own.into_iter().filter(|encounter| encounter.involves(ball));
+            let own: Vec<Encounter> = own.collect();
+            let touched = touching(&self.balls, &self.agenda, ball);
+            for encounter in touched.iter().chain(&own) {
                 if !encounters.contains(encounter) {
                     encounters.push(*encounter);
                 }
-                if let Encounter::Pair(a, b) = *encounter {
-                    for other in [a, b] {
-                        if !balls.contains(&other) {
-                            balls.push(other);
-                        }
+                for other in encounter.balls() {
+                    if !balls.contains(&other) {
+                        balls.push(other);
                     }
+                }
+            }
+            for encounter in own {
+                if !held.contains(&encounter) {
+                    held.push(encounter);
                 }
             }
         }

@@ -218,7 +218,6 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         if !answers {
             continue;
         }
-        let response: Vec<T> = opening.clone();
         match &found {
             None => {
                 let states = (0..n).map(|k| {
@@ -230,12 +229,12 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
                         State::Alongside
                     }
                 });
-                found = Some((states.collect(), response));
+                found = Some((states.collect(), opening));
             }
             Some((_, other)) => {
                 let apart = other
                     .iter()
-                    .zip(&response)
+                    .zip(&opening)
                     .any(|(a, b)| (*a - *b).abs() > none * T::lift(16.0));
                 if apart {
                     return Err(Undetermined {

@@ -83,11 +83,7 @@ impl<T: Real> Group<T> {
     /// The equations of motion.
     pub fn equations(&self, world: &World<T>) -> Equations<T> {
         let mut writer = Writer::new(world, self);
-        let contacts: Vec<Contact> = self
-            .holds
-            .iter()
-            .map(|hold| writer.contact(hold.touch))
-            .collect();
+        let contacts = writer.contacts();
         let force = writer.forces(&contacts);
         writer.finish(&contacts, force)
     }
@@ -95,11 +91,7 @@ impl<T: Real> Group<T> {
     /// The linear system of all contacts at the start: what each force does to the acceleration of each gap, and what that is without forces.
     pub fn system(&self, world: &World<T>) -> (Vec<Vec<T>>, Vec<T>) {
         let mut writer = Writer::new(world, self);
-        let contacts: Vec<Contact> = self
-            .holds
-            .iter()
-            .map(|hold| writer.contact(hold.touch))
-            .collect();
+        let contacts = writer.contacts();
         let all: Vec<usize> = (0..contacts.len()).collect();
         let matrix = all
             .iter()
@@ -267,6 +259,12 @@ impl<'a, T: Real> Writer<'a, T> {
         self.monitors.push(Monitor { change, node });
     }
 
+    /// What every contact of the group does for each unit of its force.
+    fn contacts(&mut self) -> Vec<Contact> {
+        let holds = self.group.holds.iter();
+        holds.map(|hold| self.contact(hold.touch)).collect()
+    }
+
     /// What a contact does for each unit of its force.
     fn contact(&mut self, touch: Touch) -> Contact {
         match touch {
@@ -310,7 +308,8 @@ impl<'a, T: Real> Writer<'a, T> {
         }
     }
 
-    /// `mu s/|s|`, s the slip of the first ball's surface over the second's; `None` where they do not rub.
+    /// `mu s/|s|`, s the slip of the first ball's surface over the second's; `None` where they do not rub. Where nothing slips there is no
+    /// direction to rub in: that friction could hold the two together is not built.
     fn rub(
         &mut self,
         a: usize,

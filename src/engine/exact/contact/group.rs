@@ -9,6 +9,7 @@
 //! `a = -mu_s g u/|u| + F/m`; rolling `a = -mu_r g v/|v| + 5/7 q/m`; at rest while `|q| <= 7/5 mu_r m g`. Vertical forces change neither
 //! the height of a ball nor its weight on the cloth.
 
+use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::spin::Moving;
 use crate::math::Real;
 use crate::physics::Side;
@@ -62,6 +63,17 @@ pub enum Touch {
 }
 
 impl Touch {
+    /// The same by balls.
+    pub fn encounter<T>(self, members: &[Member<T>]) -> Encounter {
+        match self {
+            Touch::Pair(a, b) => {
+                let (a, b) = (members[a].ball, members[b].ball);
+                Encounter::Pair(a.min(b), a.max(b))
+            }
+            Touch::Cushion(a, side) => Encounter::Cushion(members[a].ball, side),
+        }
+    }
+
     /// The members that take part, and on which side of the normal: -1 for the first, +1 for the second.
     pub fn members(self) -> impl Iterator<Item = (usize, f64)> {
         let (first, second) = match self {

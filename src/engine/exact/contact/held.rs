@@ -1,7 +1,7 @@
 //! Balls that are held together by contacts now, and pairs that are just parting.
 
 use super::arc::{Arc, Series};
-use super::group::{Group, Touch};
+use super::group::Group;
 use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::spin::Moving;
 use crate::math::Real;
@@ -18,8 +18,8 @@ pub enum Next<T> {
 /// The way of balls to the limit of their impacts.
 #[derive(Clone, Debug)]
 pub struct Way<T> {
-    /// The encounter whose impacts they are; `None` where there are several.
-    pub encounter: Option<Encounter>,
+    /// The encounter whose impacts they are.
+    pub encounter: Encounter,
     /// How the members move before the first of those impacts.
     pub before: Vec<Moving<T>>,
     /// How they move at the limit.
@@ -61,8 +61,9 @@ pub struct Held<T> {
 impl<T: Real> Held<T> {
     /// Who touches whom, by balls.
     pub fn encounters(&self) -> Vec<Encounter> {
-        let touches = self.group.holds.iter().map(|hold| hold.touch);
-        touches.map(|touch| encounter(&self.group, touch)).collect()
+        let holds = self.group.holds.iter();
+        let named = holds.map(|hold| hold.touch.encounter(&self.group.members));
+        named.collect()
     }
 
     /// How a ball moves at `time`, s; no later than the end of the stretch, whatever the clock can tell.
@@ -74,17 +75,6 @@ impl<T: Real> Held<T> {
     /// The series of a ball.
     pub fn series(&self, ball: usize) -> Option<&Series<T>> {
         self.arc.series.iter().find(|series| series.ball == ball)
-    }
-}
-
-/// A contact by its balls.
-pub fn encounter<T>(group: &Group<T>, touch: Touch) -> Encounter {
-    match touch {
-        Touch::Pair(a, b) => {
-            let (a, b) = (group.members[a].ball, group.members[b].ball);
-            Encounter::Pair(a.min(b), a.max(b))
-        }
-        Touch::Cushion(a, side) => Encounter::Cushion(group.members[a].ball, side),
     }
 }
 
@@ -110,12 +100,6 @@ impl<T: Real> Contacts<T> {
             held: Vec::new(),
             parting: Vec::new(),
         }
-    }
-
-    /// True if nothing is held, and nothing parts.
-    #[inline]
-    pub fn is_empty(&self) -> bool {
-        self.held.is_empty() && self.parting.is_empty()
     }
 
     /// The group of a ball.

@@ -1,9 +1,12 @@
 //! Sustained contact: balls that are pressed together, or to a cushion, for longer than an instant.
 //!
-//! - [`tail`]: the limit of infinitely many impacts, by which such a contact mostly begins.
-//! - [`decide`]: which contacts of balls that touch carry a force.
-//! - [`group`]: the equations of their common motion; [`arc`]: its solution, by power series, up to the next change.
-//! - [`held`]: the groups of a run; [`meet`]: what meets their balls.
+//! - [`tail`]: the limit of infinitely many impacts of one encounter, by which such a contact mostly begins; [`foreseen`]: limits under way.
+//! - [`touching`]: which balls touch; [`decide`]: which of their contacts carry a force.
+//! - [`group`]: who is held together; `equations`: of their common motion; [`arc`]: its solution, by power series, up to the next change.
+//! - [`held`]: the groups of a run; [`meet`], `row`: what meets their balls.
+//!
+//! Not built: the limit of several encounters that shrink together; friction that holds two balls without slip; what Han's and Mathavan's cushions
+//! do to a ball that lies against them, which is taken for smooth; derivatives, which end where a contact begins.
 //!
 //! Our reading where laws are silent: the loss of rolling acts wholly while a ball is pressed, as it does between two impacts but not in
 //! the slides that an impact leaves; so contact is not the limit of ever smaller bounces, which lose less. A ball at rest stays while its push is below

@@ -13,7 +13,7 @@ use crate::physics::Side;
 /// Parties that touch and approach or part by no more than this many roundings of the fastest ball do neither.
 pub const STEADY: f64 = 64.0;
 
-/// Rounds in which what is left of approaches at a limit is taken out.
+/// Rounds in which what is left of approach and parting is taken out of contacts that share balls.
 const ROUNDS: usize = 200;
 
 /// Balls that touch, taken out of their courses.
@@ -26,34 +26,28 @@ pub struct Gathered<T> {
     pub held: Vec<Encounter>,
 }
 
-/// A contact by its balls.
-pub fn encounter_of<T: Real>(members: &[Member<T>], touch: Touch) -> Encounter {
-    match touch {
-        Touch::Pair(a, b) => {
-            let (a, b) = (members[a].ball, members[b].ball);
-            Encounter::Pair(a.min(b), a.max(b))
-        }
-        Touch::Cushion(a, side) => Encounter::Cushion(members[a].ball, side),
-    }
+/// Rate of the gap of two balls, length/s.
+pub fn rate_between<T: Real>(one: &Moving<T>, other: &Moving<T>) -> T {
+    let p = [0, 1].map(|i| other.position[i] - one.position[i]);
+    let v = [0, 1].map(|i| other.velocity[i] - one.velocity[i]);
+    (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]).sqrt()
+}
+
+/// Rate of the gap of a ball to a cushion, length/s.
+pub fn rate_to<T: Real>(moving: &Moving<T>, side: Side) -> T {
+    let v = moving.velocity[side.axis()];
+    if side.sign() < 0 { v } else { -v }
 }
 
 /// Rate of the gap of two parties, length/s.
 pub fn rate<T: Real>(members: &[Member<T>], touch: Touch) -> T {
     match touch {
-        Touch::Pair(a, b) => {
-            let (a, b) = (&members[a].moving, &members[b].moving);
-            let p = [0, 1].map(|i| b.position[i] - a.position[i]);
-            let v = [0, 1].map(|i| b.velocity[i] - a.velocity[i]);
-            (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]).sqrt()
-        }
-        Touch::Cushion(a, side) => {
-            let v = members[a].moving.velocity[side.axis()];
-            if side.sign() < 0 { v } else { -v }
-        }
+        Touch::Pair(a, b) => rate_between(&members[a].moving, &members[b].moving),
+        Touch::Cushion(a, side) => rate_to(&members[a].moving, side),
     }
 }
 
-/// What touches a ball now and neither approaches nor parts from it. Two balls at rest touch nothing but what they are told of.
+/// What touches a ball now and neither approaches nor parts from it.
 pub fn touching<T: Real>(
     balls: &Kinematics<'_, T>,
     agenda: &Agenda<T>,
@@ -61,17 +55,17 @@ pub fn touching<T: Real>(
 ) -> Vec<Encounter> {
     let world = balls.world();
     let slow = world.blur.speed * T::lift(STEADY);
-    let (here, v) = balls.at(ball);
+    let own = balls.moving(ball);
     let mut found = Vec::new();
     if world.contact.is_some() {
         for other in agenda.neighbours(balls, ball, world.touching) {
             if other == ball {
                 continue;
             }
-            let (there, w) = balls.at(other);
-            let p = [there[0] - here[0], there[1] - here[1]];
+            let there = balls.moving(other);
+            let p = [0, 1].map(|i| there.position[i] - own.position[i]);
             let apart = (p[0] * p[0] + p[1] * p[1]).sqrt();
-            let rate = (p[0] * (w[0] - v[0]) + p[1] * (w[1] - v[1])) / apart;
+            let rate = rate_between(&own, &there);
             let pair = Encounter::Pair(ball.min(other), ball.max(other));
             let near = apart <= world.distance(ball, other) + world.touching;
             if near && rate.abs() <= slow && !balls.is_parting(pair) {
@@ -81,9 +75,9 @@ pub fn touching<T: Real>(
     }
     if let Some(reach) = world.reach.get(ball) {
         for side in Side::ALL {
-            let gap = (reach[side as usize] - here[side.axis()]).abs();
+            let gap = (reach[side as usize] - own.position[side.axis()]).abs();
             let encounter = Encounter::Cushion(ball, side);
-            let near = gap <= world.touching && v[side.axis()].abs() <= slow;
+            let near = gap <= world.touching && rate_to(&own, side).abs() <= slow;
             if near && !balls.is_parting(encounter) {
                 found.push(encounter);
             }
