@@ -8,7 +8,7 @@
 use crate::math::Vec3;
 use crate::physics::{Side, State};
 use crate::scene::Scene;
-use crate::trace::Trace;
+use crate::trace::{Contacts, Trace, UNEXPLAINED_IN_CONTACT};
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query::{ShapeCastOptions, cast_shapes};
 use parry3d_f64::shape::Ball;
@@ -96,8 +96,6 @@ pub fn first_overlap(
         seen.given_up += 1;
         return None;
     }
-    // both allowances, half off each radius: these must never meet
-    let [first, second] = radii.map(|radius| Ball::new(radius - allowed));
     let reach = radii[0] + radii[1];
     // where a ball left play, others may follow
     let in_play = |ball: usize| match (trace.pocketed(ball), trace.paths[ball].knots.last()) {
@@ -106,8 +104,22 @@ pub fn first_overlap(
     };
     let until = in_play(a).min(in_play(b));
     let most = seen.casts + MOST_CASTS;
+    let contacts = Contacts::of(trace);
+    let held = |ball: usize, span: &[f64]| {
+        contacts.during(ball, [span[0], span[1]]) || contacts.during(ball, [span[0]; 2])
+    };
     for span in times(trace, &[a, b]).windows(2).filter(|s| s[1] <= until) {
         let h = span[1] - span[0];
+        // both allowances, half off each radius: these must never meet; what knots in contact leave unexplained keeps them from meeting as well
+        let unexplained = [a, b].into_iter().zip(radii).map(|(ball, radius)| {
+            if held(ball, span) {
+                UNEXPLAINED_IN_CONTACT * radius
+            } else {
+                0.0
+            }
+        });
+        let unexplained: f64 = unexplained.sum();
+        let [first, second] = radii.map(|radius| Ball::new(radius - allowed - unexplained));
         let ((a0, a1), (b0, b1)) =
             ends(trace, a, span[0], span[1]).zip(ends(trace, b, span[0], span[1]))?;
         let stretch = Stretch {

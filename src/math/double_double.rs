@@ -174,6 +174,7 @@ impl One for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
+    type Finer = super::Octuple;
     // 2^-104: four times u^2, above the error of a sum and of a root
     const ULP: f64 = f64::EPSILON * f64::EPSILON;
     const BITS: u32 = 106;

@@ -149,6 +149,7 @@ impl<T: Real, const N: usize> One for Dual<T, N> {
 }
 
 impl<T: Real, const N: usize> Real for Dual<T, N> {
+    type Finer = Self;
     const ULP: f64 = T::ULP;
     const BITS: u32 = T::BITS;
     const ROUNDING: f64 = T::ROUNDING;

@@ -8,6 +8,7 @@ pub mod extrapolation;
 pub mod first_root;
 pub mod grid;
 pub mod implicit;
+mod machine;
 pub mod near;
 mod octuple;
 pub mod random;

@@ -11,6 +11,7 @@ const UPPER: u32 = 108;
 const BIAS: i32 = 262_143;
 
 impl Real for Octuple {
+    type Finer = Self;
     // 2^-236
     const ULP: f64 = f64::from_bits((1023 - 236) << 52);
     const BITS: u32 = 237;

@@ -22,6 +22,9 @@ pub trait Real:
     + Send
     + Sync
 {
+    /// The next scalar with more digits; this one where there is none.
+    type Finer: Real;
+
     /// Spacing of the numbers just above 1 (the unit in the last place), as f64.
     const ULP: f64;
 
@@ -58,7 +61,7 @@ pub trait Real:
         if self < Self::zero() { -self } else { self }
     }
 
-    /// The same number in a scalar that is at least as wide, exactly.
+    /// The same number in another scalar: exactly in one that is at least as wide, rounded in others.
     fn widen<W: Real>(self) -> W {
         let leading = self.to_f64();
         let mut sum = W::lift(leading);
@@ -90,46 +93,6 @@ pub trait Real:
     /// The smaller of two numbers; the first if the second is NaN.
     fn at_most(self, other: Self) -> Self {
         if other < self { other } else { self }
-    }
-}
-
-impl Real for f64 {
-    const ULP: f64 = f64::EPSILON;
-    const BITS: u32 = f64::MANTISSA_DIGITS;
-    fn lift(x: f64) -> Self {
-        x
-    }
-    fn to_f64(self) -> f64 {
-        self
-    }
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
-    }
-    fn exp(self) -> Self {
-        f64::exp(self)
-    }
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-}
-
-impl Real for f32 {
-    const ULP: f64 = f32::EPSILON as f64;
-    const BITS: u32 = f32::MANTISSA_DIGITS;
-    fn lift(x: f64) -> Self {
-        x as f32
-    }
-    fn to_f64(self) -> f64 {
-        f64::from(self)
-    }
-    fn sqrt(self) -> Self {
-        f32::sqrt(self)
-    }
-    fn exp(self) -> Self {
-        f32::exp(self)
-    }
-    fn abs(self) -> Self {
-        f32::abs(self)
     }
 }
 

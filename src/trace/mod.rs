@@ -1,6 +1,7 @@
 //! What a run left behind: paths of knots, events, extrema. Every engine writes it through the one [`Recorder`].
 
 mod certainty;
+mod contacts;
 mod counter;
 mod event;
 pub mod files;
@@ -9,6 +10,7 @@ mod recorder;
 pub mod thin;
 
 pub use certainty::Certainty;
+pub use contacts::{Contacts, UNEXPLAINED_IN_CONTACT};
 pub use counter::Counter;
 pub use event::{Event, EventKind, Partner};
 pub use path::{Knot, Path};

@@ -2,8 +2,8 @@
 
 use super::cluster_impact::{ClusterImpact, Met, RowSide};
 use super::contact::arc::Arc;
-use super::contact::group::{Change, Group, Member, Mode};
-use super::contact::held::{Held, Passage};
+use super::contact::group::{Change, Group, Mode};
+use super::contact::held::Held;
 use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
 use super::kinematics::Kinematics;
@@ -12,10 +12,10 @@ use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::invariants::{kinetic_energy, momentum};
 use crate::physics::{Side, State};
-use crate::trace::{Counter, Ending, EventKind, Provenance, Record, Recorder, Trace};
-
-/// What the knots of a ball that is held leave unexplained, in radii.
-const KNOTS: f64 = 1e-9;
+use crate::trace::{
+    Counter, Ending, EventKind, Partner, Provenance, Record, Recorder, Trace,
+    UNEXPLAINED_IN_CONTACT,
+};
 
 /// Knots of one stretch, at most.
 const MOST_PIECES: f64 = 10_000.0;
@@ -44,6 +44,18 @@ impl<T: Real> Journal<T> {
             ball_ball: 0,
             ball_cushion: 0,
             times: times.then(Vec::new),
+        }
+    }
+
+    /// The same journal, of a run that goes on in another scalar.
+    pub fn handed_over<U: Real>(self) -> Journal<U> {
+        let times = self.times.map(|times| times.into_iter().map(T::widen));
+        Journal {
+            recorder: self.recorder,
+            events: self.events,
+            ball_ball: self.ball_ball,
+            ball_cushion: self.ball_cushion,
+            times: times.map(Iterator::collect),
         }
     }
 
@@ -200,56 +212,31 @@ impl<T: Real> Journal<T> {
         }
     }
 
-    /// An impact that stands for all `impacts` of an accumulation: its balls are on the way to the limit.
-    pub fn accumulation(
+    /// Parties that touch from now on: what was left of their approach is over, and balls that touch them have answered to it. `changes`: how each ball moved,
+    /// and how it moves.
+    pub fn touch(
         &mut self,
         balls: &Kinematics<'_, T>,
         encounter: Encounter,
-        passages: &[Passage<T>],
-        impacts: u32,
+        changes: &[(usize, Moving<T>, Moving<T>)],
     ) {
         let time = balls.now().to_f64();
-        let kind = match encounter {
-            Encounter::Pair(a, b) => {
-                self.ball_ball += 1;
-                EventKind::ball_ball(a, b)
-            }
-            Encounter::Cushion(a, side) => {
-                self.ball_cushion += 1;
-                EventKind::BallCushion(a as u32, side)
-            }
-        };
-        self.count(balls.now());
-        let event = self.recorder.event(time, kind, Some(u64::from(impacts)));
-        for passage in passages {
-            let ball = passage.ball;
-            let before = balls.state_of(ball, &passage.before);
-            let leaving = balls.state_of(ball, &passage.leaving);
-            self.recorder.jump(ball, time, &before, &leaving, event);
-        }
-    }
-
-    /// What the impacts of an accumulation have done by now to its balls, in energy.
-    pub fn passed(
-        &mut self,
-        balls: &Kinematics<'_, T>,
-        members: &[Member<T>],
-        before: &[Moving<T>],
-        after: &[Moving<T>],
-    ) {
+        let event = self.contact_row(balls, encounter, true);
         let scene = balls.scene();
         let mut gained = 0.0;
-        for ((member, before), after) in members.iter().zip(before).zip(after) {
-            let ball = member.ball;
-            let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
-            let energy = |m: &Moving<T>| kinetic_energy(&balls.state_of(ball, m), mass, inertia);
-            gained += energy(after) - energy(before);
+        for (ball, before, after) in changes {
+            let [before, after] = [before, after].map(|moving| balls.state_of(*ball, moving));
+            let (mass, inertia) = (scene.balls[*ball].mass, scene.inertia(*ball));
+            gained +=
+                kinetic_energy(&after, mass, inertia) - kinetic_energy(&before, mass, inertia);
+            self.recorder.jump(*ball, time, &before, &after, event);
         }
-        if let Some(first) = members.first() {
-            let other = members.get(1).map(|member| member.ball);
-            let time = balls.now().to_f64();
-            self.recorder.energy_change(time, gained, first.ball, other);
-        }
+        let (first, second) = encounter.parties();
+        let other = match second {
+            Partner::Ball(other) => Some(other as usize),
+            Partner::Cushion(_) => None,
+        };
+        self.recorder.energy_change(time, gained, first, other);
     }
 
     /// What balls did that were held until now: states between which their acceleration is nearly constant.
@@ -261,7 +248,7 @@ impl<T: Real> Journal<T> {
         for (series, member) in held.arc.series.iter().zip(&held.group.members) {
             let radius = balls.world().radius[member.ball].to_f64();
             // between two knots h apart a changing acceleration leaves jerk h^3 / 12 unexplained
-            let most = KNOTS * radius;
+            let most = UNEXPLAINED_IN_CONTACT * radius;
             let pieces = length.to_f64() * (series.jerk / (12.0 * most)).cbrt();
             let pieces = pieces.ceil().clamp(1.0, MOST_PIECES);
             for piece in 1..=pieces as u32 {
@@ -309,29 +296,29 @@ impl<T: Real> Journal<T> {
         }
     }
 
-    /// The limit of an accumulation in which a ball comes to rest.
-    pub fn stop(&mut self, balls: &Kinematics<'_, T>, member: &Member<T>) {
-        let state = balls.state_of(member.ball, &member.moving);
-        self.count(balls.now());
-        self.recorder
-            .stop(member.ball, balls.now().to_f64(), &state, &state);
-    }
-
     /// A contact that begins to last, or ends.
     pub fn contact(&mut self, balls: &Kinematics<'_, T>, encounter: Encounter, begins: bool) {
-        let (ball, partner) = encounter.parties();
+        let event = self.contact_row(balls, encounter, begins);
         let time = balls.now().to_f64();
+        for ball in encounter.balls() {
+            let state = balls.state_of(ball, &balls.moving(ball));
+            self.recorder.jump(ball, time, &state, &state, event);
+        }
+    }
+
+    fn contact_row(
+        &mut self,
+        balls: &Kinematics<'_, T>,
+        encounter: Encounter,
+        begins: bool,
+    ) -> u32 {
+        let (ball, partner) = encounter.parties();
         let kind = match begins {
             true => EventKind::ContactBegin(ball as u32, partner),
             false => EventKind::ContactEnd(ball as u32, partner),
         };
         self.count(balls.now());
-        let event = self.recorder.event(time, kind, None);
-        let (first, second) = kind.balls();
-        for ball in std::iter::once(first).chain(second) {
-            let state = balls.state_of(ball, &balls.moving(ball));
-            self.recorder.jump(ball, time, &state, &state, event);
-        }
+        self.recorder.event(balls.now().to_f64(), kind, None)
     }
 
     /// A ball that left play in `state`.

@@ -5,9 +5,10 @@
 //! move or turn is that of the courses. Everything else reads: an impact or the end of a phase is first decided as a value and
 //! then set off.
 
+use super::contact::group::Mode;
 use super::contact::held::{Contacts, Held};
 use super::encounter::Encounter;
-use super::flight::{Flight, Phase};
+use super::flight::{Flight, Ground, Phase};
 use super::spin::{Moving, Rotation, Spin, Turn};
 use super::world::World;
 use crate::math::{Real, Vec3};
@@ -71,6 +72,20 @@ impl<'a, T: Real> Kinematics<'a, T> {
             .filter(|ball| kinematics.course_of(*ball).is_active())
             .count();
         kinematics
+    }
+
+    /// A scene at `time`, s, for a run that takes over from one in another scalar (see [`World::taking_over`]): every ball has yet to set off.
+    pub fn taking_over(scene: &'a Scene, time: T, ulp: f64, longest: T) -> Self {
+        let balls = Kinematics::new(scene);
+        let mut balls = Kinematics {
+            world: World::taking_over(scene, ulp, longest),
+            now: time,
+            ..balls
+        };
+        for ball in 0..balls.count() {
+            balls.take_out(ball);
+        }
+        balls
     }
 
     /// The scene: names, and the third dimension of states.
@@ -265,6 +280,28 @@ impl<'a, T: Real> Kinematics<'a, T> {
     pub fn is_parting(&self, encounter: Encounter) -> bool {
         self.contacts
             .is_parting(encounter, |ball| self.versions[ball])
+    }
+
+    /// The parties that are on the courses on which they parted.
+    pub fn parting(&self) -> Vec<Encounter> {
+        self.contacts.parting(|ball| self.versions[ball])
+    }
+
+    /// What the cloth does to the centre of a ball that is not held; `None` of one that is out of play.
+    pub fn mode(&self, ball: usize) -> Option<Mode> {
+        let flight = &self.flights[ball];
+        if !flight.position[0].is_finite() {
+            return None;
+        }
+        let slides = self.spins.get(ball).is_some_and(|spin| spin.slides);
+        Some(match (self.world.rotation, self.world.ground) {
+            (Some(rotation), _) if rotation.slide <= T::zero() => Mode::Floats,
+            (Some(_), _) if slides => Mode::Slides,
+            (None, Ground::Frictionless) => Mode::Floats,
+            _ if !flight.moves() => Mode::Rests,
+            (Some(_), _) => Mode::Rolls,
+            (None, Ground::Coulomb(_)) => Mode::Drags,
+        })
     }
 
     /// Puts the balls of a group on their common course, from now on.

@@ -9,8 +9,8 @@
 //!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`: what becomes of such an instant
 //!   where the scene names a convention, by `instant` (losses), `reflections` (normal impulses) and `rubbing` (friction); `collapse`: when
 //!   impacts without time passing are too many to be finite.
-//! - `contact`, where a run follows them: the limit of accumulating impacts, and balls that stay in contact; `limits` and `sustained` are the
-//!   loop's part in them. `encounter`: who meets whom.
+//! - `contact`, where a run follows them: balls that stay in contact; `sustained` is the loop's part in them. `finer`: impacts that shrink to such a
+//!   contact, in the next scalar with more digits. `encounter`: who meets whom.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
 //! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
 //!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the
@@ -32,12 +32,12 @@ mod cluster_impact;
 mod collapse;
 mod contact;
 mod encounter;
+mod finer;
 pub mod flight;
 mod impact;
 mod instant;
 mod journal;
 mod kinematics;
-mod limits;
 mod phases;
 mod predict;
 mod queue;
@@ -88,7 +88,7 @@ pub struct Settings {
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
-    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: energy is not yet kept where several encounters shrink together.
+    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: random scenes with other sizes than those of billiards show overlaps and missed hits.
     pub contacts: AtContacts,
 }
 
@@ -240,7 +240,7 @@ impl Engine for Exact {
         if Exact::precision(setting) == Some(Precision::F32) {
             return vec![Invariant::Finite, Invariant::Rerun];
         }
-        // what rounding makes of several encounters that shrink together is not yet bounded
+        // random scenes of sizes far from those of billiards do not keep the others yet
         let follows = setting.read::<Settings>().map(|settings| settings.contacts);
         if follows.ok() == Some(AtContacts::Follow) {
             return vec![Invariant::Finite, Invariant::Bounds, Invariant::Rerun];

@@ -12,7 +12,6 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
-use super::contact::foreseen::{Foreseen, SLOW};
 use super::encounter::Encounter;
 use super::flight::Ground;
 use super::impact::{Impact, ImpactSide};
@@ -89,7 +88,7 @@ impl<'a, T: Real> Solver<'a, T> {
                 work: Work::default(),
             };
         }
-        let mut run = Loop {
+        let run = Loop {
             agenda: Agenda::new(&balls, partners),
             streaks: Streaks::new(balls.count()),
             slow: match contacts {
@@ -97,12 +96,13 @@ impl<'a, T: Real> Solver<'a, T> {
                 AtContacts::Collapse => T::lift(f64::NEG_INFINITY),
                 AtContacts::Follow => slow(&balls),
             },
-            foreseen: Vec::new(),
             begun: Vec::new(),
+            is_fine: false,
+            blurred: false,
             balls,
             journal,
         };
-        let ending = run.run(limits);
+        let (ending, mut run) = run.run(limits);
         for held in run.balls.contacts().held() {
             run.journal.stretch(&run.balls, held);
         }
@@ -145,7 +145,7 @@ impl<'a, T: Real> Played<'a, T> {
     }
 }
 
-/// The speed below which an impact may be one of an accumulation; without a cloth nothing presses balls together.
+/// The speed below which an impact may be one of an accumulation that the scalar does not resolve; without a cloth nothing presses balls together.
 fn slow<T: Real>(balls: &Kinematics<'_, T>) -> T {
     let world = balls.world();
     let presses = match (&world.rotation, world.ground) {
@@ -153,11 +153,7 @@ fn slow<T: Real>(balls: &Kinematics<'_, T>) -> T {
         (None, Ground::Coulomb(_)) => true,
         (None, Ground::Frictionless) => false,
     };
-    if presses {
-        world.fastest * T::lift(SLOW)
-    } else {
-        T::zero()
-    }
+    if presses { world.blurs() } else { T::zero() }
 }
 
 /// A run under way.
@@ -165,26 +161,28 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) balls: Kinematics<'a, T>,
     pub(super) agenda: Agenda<T>,
     /// How often each ball was hit without time passing.
-    streaks: Streaks<T>,
-    /// The speed below which an impact may be one of an accumulation, length/s.
+    pub(super) streaks: Streaks<T>,
+    /// The speed below which the scalar does not tell how impacts go on that shrink, length/s.
     pub(super) slow: T,
-    /// Where accumulations under way lead.
-    pub(super) foreseen: Vec<Foreseen<T>>,
     /// Contacts that this run has brought about, which no convention of the scene speaks of.
     pub(super) begun: Vec<Encounter>,
+    /// Whether this run has taken over from one with fewer digits.
+    pub(super) is_fine: bool,
+    /// Whether this scalar no longer tells what happens now.
+    pub(super) blurred: bool,
     pub(super) journal: Journal<T>,
 }
 
 impl<T: Real> Loop<'_, T> {
-    /// Runs to an ending; once.
-    fn run(&mut self, limits: &Limits<'_>) -> Ending {
+    /// Runs to an ending.
+    fn run(mut self, limits: &Limits<'_>) -> (Ending, Self) {
         loop {
             let due = self.agenda.due(&self.balls);
             if let Due::Nothing = due {
-                return self.nothing_left();
+                return (self.nothing_left(), self);
             }
             if limits.is_cancelled() {
-                return Ending::Cancelled;
+                return (Ending::Cancelled, self);
             }
             match due {
                 Due::Nothing => {}
@@ -195,11 +193,15 @@ impl<T: Real> Loop<'_, T> {
                 Due::Event(time, what) => {
                     if self.journal.events() >= limits.max_events {
                         let why = format!("the limit of {} events is reached", limits.max_events);
-                        return Ending::Budget(self.balls.spot(&what.balls(), &why));
+                        return (Ending::Budget(self.balls.spot(&what.balls(), &why)), self);
                     }
                     self.balls.advance(time);
-                    if let Some(ending) = self.happen(what) {
-                        return ending;
+                    let mut ending = self.happen(what);
+                    if self.blurred {
+                        (ending, self) = self.finer(what, limits);
+                    }
+                    if let Some(ending) = ending {
+                        return (ending, self);
                     }
                 }
             }
@@ -217,17 +219,37 @@ impl<T: Real> Loop<'_, T> {
 
     /// An event; answers whether it ends the run.
     #[inline]
-    fn happen(&mut self, what: What) -> Option<Ending> {
+    pub(super) fn happen(&mut self, what: What) -> Option<Ending> {
         match what {
             What::Pair(a, b) => self.pair(a as usize, b as usize),
             What::Cushion(a, side) => self.cushion(a as usize, side),
             What::Pocket(a, pocket) => self.pocket(a as usize, pocket),
             What::End(a) => self.phase_end(a as usize),
             What::UnclearPair(..) | What::UnclearCushion(..) | What::UnclearPocket(..) => {
-                Some(self.undecidable(what))
+                self.unclear(what)
             }
             // upkeep of the agenda, which it does not take for an event
             What::Leaving(..) | What::Nothing => None,
+        }
+    }
+
+    /// Rounding decides whether something happens.
+    #[cold]
+    fn unclear(&mut self, what: What) -> Option<Ending> {
+        let encounter = match what {
+            What::UnclearPair(a, b) => Some(Encounter::Pair(a as usize, b as usize)),
+            What::UnclearCushion(a, side) => Some(Encounter::Cushion(a as usize, side)),
+            _ => None,
+        };
+        // where contacts have begun what is unclear belongs to them; elsewhere the scene is too close to call
+        let slow = encounter.filter(|encounter| {
+            let touched = self.begun.iter().flat_map(|begun| begun.balls());
+            let mut touched = touched.filter(|ball| encounter.involves(*ball));
+            touched.next().is_some() && self.rate_of(*encounter).abs() < self.slow
+        });
+        match slow {
+            Some(encounter) => self.shrinks(encounter),
+            None => Some(self.undecidable(what)),
         }
     }
 
@@ -253,7 +275,7 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn pair(&mut self, a: usize, b: usize) -> Option<Ending> {
         if !self.balls.is_quiet() && (self.balls.is_held(a) || self.balls.is_held(b)) {
-            return self.struck(Encounter::Pair(a, b));
+            return self.struck_together(Encounter::Pair(a, b));
         }
         let law = self.balls.world().contact?;
         let impact = Impact::of_balls(&self.balls, law, a, b);
@@ -264,7 +286,7 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn cushion(&mut self, a: usize, side: Side) -> Option<Ending> {
         if self.balls.is_held(a) {
-            return self.struck(Encounter::Cushion(a, side));
+            return self.struck_together(Encounter::Cushion(a, side));
         }
         let law = self.balls.world().cushion?;
         let impact = Impact::on_cushion(&self.balls, law, a, side);
@@ -279,9 +301,7 @@ impl<T: Real> Loop<'_, T> {
             if self.is_still(impact.closing) {
                 return self.touch(impact.encounter);
             }
-            if self.accumulates(impact) {
-                return None;
-            }
+            return self.shrinks(impact.encounter);
         }
         let fault = impact.fault(&self.balls);
         if let Some(ending) = fault.or_else(|| self.streak(sides)) {

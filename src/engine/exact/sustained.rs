@@ -4,11 +4,13 @@ use super::cluster_impact::ClusterImpact;
 use super::contact::arc::Arc;
 use super::contact::decide::{Undetermined, decide, member};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
-use super::contact::held::{Held, Next};
+use super::contact::held::Held;
 use super::contact::touching::{
-    Gathered, STEADY, calm, components, keep_contacts, rate, rate_between, rate_to, touching,
+    Gathered, STEADY, Steady, calm, components, keep_contacts, rate, rate_between, rate_to,
+    touching,
 };
 use super::encounter::Encounter;
+use super::kinematics::Kinematics;
 use super::predict::Row;
 use super::simultaneous::{self, Cluster};
 use super::solve::Loop;
@@ -22,6 +24,14 @@ const PAST_THE_END: f64 = 1.0 + 1e-6;
 
 /// Stretches without length after which a group does not get on.
 const STUCK: u32 = 64;
+
+/// The next stretch of a group that begins now.
+pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
+    let world = balls.world();
+    // a stretch that reaches the end of the run ends after it, which is no event
+    let most = (world.duration - balls.now()) * T::lift(PAST_THE_END);
+    Arc::of(world, group, most)
+}
 
 impl<T: Real> Loop<'_, T> {
     /// Whether parties that touch do not approach, at this rate, but for rounding.
@@ -51,23 +61,6 @@ impl<T: Real> Loop<'_, T> {
         self.journal.stretch(&self.balls, &held);
         let encounters = held.encounters();
         let world = self.balls.world();
-        if let Next::Limit(way) = &held.next {
-            self.journal
-                .passed(&self.balls, &held.group.members, &way.before, &way.ends);
-            let states = way.ends.iter().copied();
-            let members = held.group.members.iter().zip(states);
-            let members = members.map(|(m, state)| member(world, m.ball, state));
-            let members: Vec<Member<T>> = members.collect();
-            for m in members.iter().filter(|m| m.mode == Mode::Rests) {
-                self.journal.stop(&self.balls, m);
-            }
-            let gathered = Gathered {
-                members,
-                touches: held.group.holds.iter().map(|hold| hold.touch).collect(),
-                held: Vec::new(),
-            };
-            return self.go_on(gathered, &[], &[], 0);
-        }
         let mut states = held.arc.end(world, &held.group);
         keep_contacts(world, &held.group, &mut states);
         let changes = held.arc.changes.clone();
@@ -77,10 +70,9 @@ impl<T: Real> Loop<'_, T> {
         }
         if changes.is_empty() {
             self.hold(Held {
-                arc: self.stretch(&group),
+                arc: stretch(&self.balls, &group),
                 group,
                 start: self.balls.now(),
-                next: Next::Motion,
                 stuck: held.stuck,
             });
             return None;
@@ -113,13 +105,6 @@ impl<T: Real> Loop<'_, T> {
     /// What a member does whose slip has ended.
     fn ends_slip(&self, m: &Member<T>) -> Mode {
         member(self.balls.world(), m.ball, m.moving).mode
-    }
-
-    fn stretch(&self, group: &Group<T>) -> Arc<T> {
-        let world = self.balls.world();
-        // a stretch that reaches the end of the run ends after it, which is no event
-        let most = (world.duration - self.balls.now()) * T::lift(PAST_THE_END);
-        Arc::of(world, group, most)
     }
 
     /// Decides how balls go on that touch, and lets them. `gone`: contacts whose force has vanished; `changes`: what else has just happened.
@@ -164,12 +149,11 @@ impl<T: Real> Loop<'_, T> {
             }
             let named = |hold: &Hold| hold.touch.encounter(&group.members);
             lasting.extend(group.holds.iter().map(named));
-            let arc = self.stretch(&group);
+            let arc = stretch(&self.balls, &group);
             self.balls.hold(Held {
                 arc,
                 group,
                 start: self.balls.now(),
-                next: Next::Motion,
                 stuck,
             });
         }
@@ -188,7 +172,7 @@ impl<T: Real> Loop<'_, T> {
         begun.any(|encounter| encounter.balls().all(|ball| balls.contains(&ball)))
     }
 
-    fn begin(&mut self, encounter: Encounter) {
+    pub(super) fn begin(&mut self, encounter: Encounter) {
         if !self.begun.contains(&encounter) {
             self.begun.push(encounter);
         }
@@ -199,11 +183,11 @@ impl<T: Real> Loop<'_, T> {
         for encounter in before {
             let was = held.contains(encounter);
             let is = lasting.contains(encounter);
-            if !was {
+            if is && !was {
                 self.begin(*encounter);
                 self.journal.contact(&self.balls, *encounter, true);
             }
-            if !is {
+            if was && !is {
                 self.journal.contact(&self.balls, *encounter, false);
             }
         }
@@ -233,44 +217,13 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
-        let mut gathered = self.gather(encounter);
-        let mut states: Vec<(usize, Moving<T>)> = gathered
-            .members
-            .iter()
-            .map(|m| (m.ball, m.moving))
-            .collect();
-        let named = gathered
-            .touches
-            .iter()
-            .map(|t| t.encounter(&gathered.members));
-        let named: Vec<Encounter> = named.collect();
-        calm(self.balls.world(), &named, &mut states);
-        for (known, (ball, moving)) in gathered.members.iter_mut().zip(states) {
-            if known.moving.velocity != moving.velocity {
-                *known = member(self.balls.world(), ball, moving);
-            }
-        }
+        let mut gathered = self.gather(encounter, &Steady::of(self.balls.world()));
+        calm(self.balls.world(), &mut gathered.members, &gathered.touches);
         let balls: Vec<usize> = gathered.members.iter().map(|m| m.ball).collect();
         if let Some(ending) = self.streak_of(&balls) {
             return Some(ending);
         }
         self.go_on(gathered, &[], &[], 0)
-    }
-
-    /// An impact into balls that are held, or that touch others: all their contacts resolve it together.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn struck(&mut self, encounter: Encounter) -> Option<Ending> {
-        for ball in encounter.balls() {
-            self.interrupt(ball);
-        }
-        if !encounter.balls().any(|ball| self.balls.is_held(ball)) {
-            return match encounter {
-                Encounter::Pair(a, b) => self.pair(a, b),
-                Encounter::Cushion(a, side) => self.cushion(a, side),
-            };
-        }
-        self.struck_together(encounter)
     }
 
     /// An impact of balls that are held, or of which others are that are within its reach.
@@ -280,7 +233,10 @@ impl<T: Real> Loop<'_, T> {
         if self.is_still(closing) {
             return self.touch(encounter);
         }
-        let mut gathered = self.gather(encounter);
+        if closing < self.slow {
+            return self.shrinks(encounter);
+        }
+        let mut gathered = self.gather(encounter, &Steady::of(self.balls.world()));
         let impact = match self.resolve(encounter, &gathered) {
             Ok(impact) => impact,
             Err(ending) => return Some(ending),
@@ -332,7 +288,7 @@ impl<T: Real> Loop<'_, T> {
             members,
             touches,
             held,
-        } = self.gather(*held.first()?);
+        } = self.gather(*held.first()?, &Steady::of(self.balls.world()));
         let ended = held.iter().filter(|encounter| encounter.involves(ball));
         for encounter in ended {
             self.journal.contact(&self.balls, *encounter, false);
@@ -384,7 +340,7 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// Rate of the gap of two parties now, length/s.
-    fn rate_of(&self, encounter: Encounter) -> T {
+    pub(super) fn rate_of(&self, encounter: Encounter) -> T {
         match encounter {
             Encounter::Pair(a, b) => rate_between(&self.balls.moving(a), &self.balls.moving(b)),
             Encounter::Cushion(a, side) => rate_to(&self.balls.moving(a), side),
@@ -392,7 +348,7 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// Gives up the group that holds a ball: until it is decided how its balls go on, they do as they would alone.
-    fn give_up(&mut self, ball: usize) {
+    pub(super) fn give_up(&mut self, ball: usize) {
         if let Some(group) = self.balls.let_go(ball) {
             self.journal.stretch(&self.balls, &group);
             for m in &group.group.members {
@@ -409,19 +365,27 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// Everything that touches the parties of `seed`, directly or through others, without closing in; taken out of the groups that hold it.
-    fn gather(&mut self, seed: Encounter) -> Gathered<T> {
+    pub(super) fn gather(&mut self, seed: Encounter, steady: &Steady<T>) -> Gathered<T> {
+        let gathered = self.connected(seed, steady);
+        for member in &gathered.members {
+            self.give_up(member.ball);
+        }
+        gathered
+    }
+
+    /// The same, left in the groups that hold it.
+    pub(super) fn connected(&self, seed: Encounter, steady: &Steady<T>) -> Gathered<T> {
         let mut balls: Vec<usize> = seed.balls().collect();
         let mut encounters = vec![seed];
         let mut held = Vec::new();
         let mut next = 0;
         while let Some(&ball) = balls.get(next) {
             next += 1;
-            self.interrupt(ball);
             let own = self.balls.contacts().of(ball);
             let own = own.map_or_else(Vec::new, Held::encounters);
             let own = own.into_iter().filter(|encounter| encounter.involves(ball));
             let own: Vec<Encounter> = own.collect();
-            let touched = touching(&self.balls, &self.agenda, ball);
+            let touched = touching(&self.balls, &self.agenda, ball, steady);
             for encounter in touched.iter().chain(&own) {
                 if !encounters.contains(encounter) {
                     encounters.push(*encounter);
@@ -445,9 +409,6 @@ impl<T: Real> Loop<'_, T> {
             Encounter::Cushion(a, side) => Touch::Cushion(place(a), side),
         });
         let touches = touches.collect();
-        for ball in &balls {
-            self.give_up(*ball);
-        }
         Gathered {
             members,
             touches,
@@ -458,10 +419,11 @@ impl<T: Real> Loop<'_, T> {
     /// A ball as it is now; one that is held keeps its state of motion.
     fn as_member(&self, ball: usize) -> Member<T> {
         let moving = self.balls.moving(ball);
-        let known = self.balls.contacts().of(ball).and_then(|held| {
-            let own = held.group.members.iter().find(|m| m.ball == ball)?;
-            matches!(held.next, Next::Motion).then_some(*own)
-        });
+        let known = self
+            .balls
+            .contacts()
+            .of(ball)
+            .and_then(|held| held.group.members.iter().find(|m| m.ball == ball).copied());
         match known {
             Some(known) => Member { moving, ..known },
             None => member(self.balls.world(), ball, moving),

@@ -11,6 +11,15 @@ use crate::scene::Scene;
 /// Roundings that a coordinate has seen when it enters a decision: two products, two sums.
 const ROUNDINGS: f64 = 4.0;
 
+/// Surfaces that touch by a scalar's own account are this many errors of a position apart, at most.
+const RESOLVED: f64 = 16.0;
+
+/// Rounding will soon say how impacts go on when an approach is this many times what it makes of one.
+const NOISE: f64 = 100.0;
+
+/// Impacts faster than this part of the fastest ball are none of those that shrink.
+pub const SHRINKS: f64 = 1e-3;
+
 /// The unchanging part of a run. Inputs are the scene's f64 numbers lifted exactly; what follows from them is computed in `T`.
 #[derive(Clone, Debug)]
 pub struct World<T> {
@@ -46,6 +55,10 @@ pub struct World<T> {
     pub blur: Blur<T>,
     /// No ball is ever faster, length/s: all energy in the lightest.
     pub fastest: T,
+    /// What a stretch of contact may leave out, in parts of the largest speed.
+    pub accuracy: f64,
+    /// The longest stretch of contact, s.
+    pub longest: T,
 }
 
 impl<T: Real> World<T> {
@@ -110,6 +123,20 @@ impl<T: Real> World<T> {
                 speed: lift(2.0 * ROUNDINGS * T::ULP * fastest),
             },
             fastest: lift(fastest),
+            accuracy: T::ULP,
+            longest: lift(f64::INFINITY),
+        }
+    }
+
+    /// The world of a scene for a run that takes over from one whose numbers have the spacing `ulp` and which it follows no longer than
+    /// `longest`, s, at a time: surfaces touch as far as this scalar tells.
+    pub fn taking_over(scene: &Scene, ulp: f64, longest: T) -> Self {
+        let world = World::new(scene);
+        World {
+            touching: world.blur.length * T::lift(RESOLVED),
+            accuracy: T::ULP.max(ulp * ulp.sqrt()),
+            longest,
+            ..world
         }
     }
 
@@ -135,6 +162,16 @@ impl<T: Real> World<T> {
             (_, Ground::Coulomb(deceleration)) => deceleration,
             _ => self.fastest * self.fastest / T::lift(self.widest_distance()),
         }
+    }
+
+    /// What rounding of a gap makes of an approach, length/s.
+    pub fn noise(&self) -> T {
+        (self.blur.length * self.strongest() * T::lift(2.0)).sqrt()
+    }
+
+    /// The speed of an approach below which rounding will soon say how impacts go on that shrink, length/s.
+    pub fn blurs(&self) -> T {
+        (self.noise() * T::lift(NOISE)).at_most(self.fastest * T::lift(SHRINKS))
     }
 
     /// What the place of a ball is good to at a time that is itself rounded, length.

@@ -222,6 +222,7 @@ impl Audit<'_> {
             allowed: grain * (x0.norm() + x1.norm())
                 + grain * speeds * h
                 + (fastest + most * h) * blur
+                + self.closed
                 + NONE,
         };
         [velocity, place, spin]

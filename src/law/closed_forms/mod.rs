@@ -23,7 +23,7 @@ use crate::math::{Vec3, worse};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Side, State};
 use crate::scene::{Scene, Table};
-use crate::trace::{Event, EventKind, Knot, Trace};
+use crate::trace::{Contacts, Event, EventKind, Knot, Trace};
 use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
@@ -36,14 +36,17 @@ const ULPS: f64 = 64.0;
 /// took three quarters of it.
 const CHAIN_ULPS: f64 = 8192.0;
 
+/// Gaps of so many ulp of the largest coordinate are rounding, and an engine that solves for events closes them where impacts shrink.
+const CLOSED_ULPS: f64 = 16.0;
+
 /// Speeds below this are none: their squares are no numbers. length/s.
 const NONE: f64 = 1e-150;
 
 /// Why an impact at an instant with several is looked at for its direction only: its size is that of a convention.
 const TOGETHER: &str = "several impacts at one instant of a convention";
 
-/// Why an impact that stands for many is left out.
-const MANY: &str = "an impact that stands for all of an accumulation";
+/// Why a motion is left out, or the end of a phase in one.
+const IN_CONTACT: &str = "a motion in contact";
 
 /// What was held against the laws, and what of it is wrong.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,6 +97,10 @@ struct Audit<'a> {
     step: f64,
     /// Whether the trace holds numbers of more digits than it can tell.
     rounded: bool,
+    /// How far a ball is moved where a gap that is rounding is closed, length.
+    closed: f64,
+    /// When balls are in contact.
+    contacts: Contacts,
     found: Laws,
 }
 
@@ -119,6 +126,12 @@ pub fn check(scene: &Scene, trace: &Trace) -> Laws {
         place,
         step: trace.provenance.resolution,
         rounded: trace.provenance.ulp != f64::EPSILON,
+        closed: if trace.provenance.resolution > 0.0 {
+            0.0
+        } else {
+            CLOSED_ULPS * f64::EPSILON * scene.largest_coordinate()
+        },
+        contacts: Contacts::of(trace),
         found: Laws::default(),
     };
     audit.events();
@@ -197,10 +210,6 @@ impl Audit<'_> {
                 }
                 EventKind::BallCushion(a, side) => {
                     self.told(event, of(a).len() == 1);
-                    if self.stands_for_many(event) {
-                        self.leave_out(MANY);
-                        continue;
-                    }
                     for jump in of(a) {
                         self.cushion(event, a as usize, side, jump, together);
                     }
@@ -209,7 +218,11 @@ impl Audit<'_> {
                 EventKind::Stop(a) | EventKind::SlideToRoll(a) | EventKind::SpinEnd(a) => {
                     self.told(event, of(a).len() == 1);
                     for jump in of(a) {
-                        self.phase(event.kind, a as usize, jump);
+                        if self.contacts.during(a as usize, [event.time; 2]) {
+                            self.leave_out(IN_CONTACT);
+                        } else {
+                            self.phase(event.kind, a as usize, jump);
+                        }
                     }
                 }
                 EventKind::Pocket(a, pocket) => {
@@ -252,23 +265,27 @@ impl Audit<'_> {
             event,
             alike && one.iter().zip(two).all(|(a, b)| a.time == b.time),
         );
-        if self.stands_for_many(event) {
-            return self.leave_out(MANY);
-        }
         for (a, b) in one.iter().zip(two) {
             self.hit(balls, [a, b], together);
         }
     }
 
-    /// True where an engine that solves for its events went on from here to the limit of an accumulation.
-    fn stands_for_many(&self, event: &Event) -> bool {
-        self.step == 0.0 && event.exchanges.is_some_and(|exchanges| exchanges > 1)
-    }
-
-    /// True where a convention resolves several impacts at the time of this event: each has a part of the impulse of all.
+    /// True where several impacts at the time of this event are resolved together, by a convention or because their balls are in contact: each has a part of
+    /// the impulse of all.
     fn together(&self, index: usize) -> bool {
         use crate::scene::Simultaneous;
-        if self.scene.simultaneous != Simultaneous::GeneralizedReflections || self.step > 0.0 {
+        if self.step > 0.0 {
+            return false;
+        }
+        let event = &self.trace.events[index];
+        let (a, b) = event.kind.balls();
+        let held = |ball: usize| self.contacts.during(ball, [event.time; 2]);
+        if held(a) || b.is_some_and(held) {
+            return true;
+        }
+        // what has begun to touch is resolved together wherever it meets again
+        let named = self.scene.simultaneous == Simultaneous::GeneralizedReflections;
+        if !named && self.contacts.is_empty() {
             return false;
         }
         let events = &self.trace.events;
@@ -374,8 +391,12 @@ impl Audit<'_> {
     }
 
     fn piece(&mut self, ball: usize, start: &Knot, end: &Knot) {
-        self.found.pieces += 1;
-        self.cloth(ball, start, end);
+        if self.contacts.during(ball, [start.time, end.time]) {
+            self.leave_out(IN_CONTACT);
+        } else {
+            self.found.pieces += 1;
+            self.cloth(ball, start, end);
+        }
         self.passes(ball, start, end);
     }
 }

@@ -64,27 +64,6 @@ impl<T: Real> Series<T> {
         }
     }
 
-    /// A member with constant acceleration: from `moving`, spin changing at `rate`.
-    pub fn straight(
-        ball: usize,
-        moving: &Moving<T>,
-        acceleration: [T; 2],
-        rate: [T; 3],
-        h: T,
-    ) -> Self {
-        let half = T::lift(0.5);
-        let position = [0, 1].map(|i| {
-            vec![
-                moving.position[i],
-                moving.velocity[i],
-                acceleration[i] * half,
-            ]
-        });
-        let velocity = [0, 1].map(|i| vec![moving.velocity[i], acceleration[i]]);
-        let spin = [0, 1, 2].map(|i| vec![moving.spin[i], rate[i]]);
-        Series::bounded(ball, position, velocity, spin, [h, T::one()], true)
-    }
-
     /// `h`: the length of the stretch in units of its time; `unit`: that unit, s.
     fn bounded(
         ball: usize,
@@ -138,12 +117,14 @@ impl<T: Real> Arc<T> {
     pub fn of(world: &World<T>, group: &Group<T>, most: T) -> Self {
         let mut equations = group.equations(world);
         let unit = pace(world, &equations);
-        let order = (ORDERS * f64::from(T::BITS)) as usize + 2;
-        equations.tape.extend(order, unit);
+        let most = most.at_most(world.longest);
+        equations
+            .tape
+            .extend(orders(world, (most / unit).to_f64()), unit);
         let tape = &equations.tape;
         let mut length = most / unit;
         let speed = world.fastest.to_f64();
-        let part = LEFT_OUT * T::ULP;
+        let part = LEFT_OUT * world.accuracy;
         for node in equations.velocity.iter().flatten() {
             length = length.at_most(T::lift(reach(tape.series(*node), speed, part)));
         }
@@ -222,6 +203,19 @@ impl<T: Real> Arc<T> {
         }
         states
     }
+}
+
+/// Orders of the series for a stretch of no more than `length` of the time in which a group changes.
+fn orders<T: Real>(world: &World<T>, length: f64) -> usize {
+    let bits = -world.accuracy.log2();
+    let all = ORDERS * bits;
+    // what is short needs fewer, and some in hand
+    let few = if length < 0.25 {
+        bits / -length.log2() + 4.0
+    } else {
+        all
+    };
+    all.min(few) as usize + 2
 }
 
 /// The time in which a group changes: that in which the first slip or roll would end, or in which a ball crosses another.
@@ -305,7 +299,7 @@ fn root<T: Real>(series: &[T], mut low: T, mut high: T) -> T {
 
 /// Slips and speeds that are over, but for rounding, at the end of a stretch: those that turn while they end never fall to zero in a series.
 fn over<T: Real>(world: &World<T>, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
-    let none = world.blur.speed * T::lift(OVER);
+    let none = world.blur.speed * T::lift(OVER * (world.accuracy / T::ULP));
     let ended = watched.iter().filter(|(change, series)| {
         matches!(change, Change::Rolls(_) | Change::Stops(_)) && at(series, length) <= none
     });

@@ -42,9 +42,18 @@ pub struct Undetermined {
 }
 
 /// How a ball that touches others moves: what is rounding of a slip or a speed is taken for none.
-pub fn member<T: Real>(world: &World<T>, ball: usize, mut moving: Moving<T>) -> Member<T> {
+pub fn member<T: Real>(world: &World<T>, ball: usize, moving: Moving<T>) -> Member<T> {
+    member_but_for(world, ball, moving, world.blur.speed * T::lift(STILL))
+}
+
+/// The same where a slip or a speed of no more than `still`, length/s, is none.
+pub fn member_but_for<T: Real>(
+    world: &World<T>,
+    ball: usize,
+    mut moving: Moving<T>,
+    still: T,
+) -> Member<T> {
     let zero = T::zero();
-    let still = world.blur.speed * T::lift(STILL);
     let size = |[x, y]: [T; 2]| (x * x + y * y).sqrt();
     let radius = world.radius[ball];
     let twist = match world.rotation {

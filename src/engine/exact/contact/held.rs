@@ -6,43 +6,6 @@ use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::spin::Moving;
 use crate::math::Real;
 
-/// What comes at the end of a stretch.
-#[derive(Clone, Debug)]
-pub enum Next<T> {
-    /// What the equations of the group say.
-    Motion,
-    /// The limit of an accumulation.
-    Limit(Way<T>),
-}
-
-/// The way of balls to the limit of their impacts.
-#[derive(Clone, Debug)]
-pub struct Way<T> {
-    /// The encounter whose impacts they are.
-    pub encounter: Encounter,
-    /// How the members move before the first of those impacts.
-    pub before: Vec<Moving<T>>,
-    /// How they move at the limit.
-    pub ends: Vec<Moving<T>>,
-}
-
-/// A ball on its way to the limit of an accumulation.
-#[derive(Clone, Copy, Debug)]
-pub struct Passage<T> {
-    /// Index in scene order.
-    pub ball: usize,
-    /// How it moves before the impact.
-    pub before: Moving<T>,
-    /// And after it.
-    pub leaving: Moving<T>,
-    /// Its constant acceleration on the way, length/s^2.
-    pub acceleration: [T; 2],
-    /// The constant rate of its spin on the way, rad/s^2.
-    pub rate: [T; 3],
-    /// How it moves at the limit.
-    pub end: Moving<T>,
-}
-
 /// A group under way.
 #[derive(Clone, Debug)]
 pub struct Held<T> {
@@ -52,8 +15,6 @@ pub struct Held<T> {
     pub arc: Arc<T>,
     /// When the stretch began, s.
     pub start: T,
-    /// What comes at its end.
-    pub next: Next<T>,
     /// Stretches without any length that came before this one.
     pub stuck: u32,
 }
@@ -143,6 +104,13 @@ impl<T: Real> Contacts<T> {
         self.parting
             .iter()
             .any(|parting| parting.encounter == encounter && holds(parting, &version))
+    }
+
+    /// The parties that are on the courses on which they parted.
+    pub fn parting(&self, version: impl Fn(usize) -> u32) -> Vec<Encounter> {
+        let parting = self.parting.iter();
+        let parting = parting.filter(|parting| holds(parting, &version));
+        parting.map(|parting| parting.encounter).collect()
     }
 
     /// Forgets parties that have gone on since.

@@ -116,10 +116,12 @@ pub fn closes<T: Real>(
         }
         // within this time the gap cannot close: size + rate s - falls s^2 / 2 >= 0
         let size = size.at_least(zero);
-        let step = if gap.falls > zero {
-            (rate + (rate * rate + (gap.falls + gap.falls) * size).sqrt()) / gap.falls
-        } else if rate < zero {
-            size / -rate
+        let root = (rate * rate + (gap.falls + gap.falls) * size).sqrt();
+        let step = if rate < zero {
+            // the other form cancels where the gap closes by its rate alone
+            (size + size) / (root - rate)
+        } else if gap.falls > zero {
+            (rate + root) / gap.falls
         } else {
             return None;
         };

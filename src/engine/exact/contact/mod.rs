@@ -1,11 +1,10 @@
 //! Sustained contact: balls that are pressed together, or to a cushion, for longer than an instant.
 //!
-//! - [`tail`]: the limit of infinitely many impacts of one encounter, by which such a contact mostly begins; [`foreseen`]: limits under way.
-//! - [`touching`]: which balls touch; [`decide`]: which of their contacts carry a force.
+//! - [`touching`]: which balls touch, and velocities and places in which they do and nothing more; [`decide`]: which of their contacts carry a force.
 //! - [`group`]: who is held together; `equations`: of their common motion; [`arc`]: its solution, by power series, up to the next change.
 //! - [`held`]: the groups of a run; [`meet`], `row`: what meets their balls.
 //!
-//! Not built: the limit of several encounters that shrink together; friction that holds two balls without slip; what Han's and Mathavan's cushions
+//! Not built: friction that holds two balls without slip; what Han's and Mathavan's cushions
 //! do to a ball that lies against them, which is taken for smooth; derivatives, which end where a contact begins.
 //!
 //! Our reading where laws are silent: the loss of rolling acts wholly while a ball is pressed, as it does between two impacts but not in
@@ -15,10 +14,8 @@
 pub mod arc;
 pub mod decide;
 mod equations;
-pub mod foreseen;
 pub mod group;
 pub mod held;
 pub mod meet;
 mod row;
-pub mod tail;
 pub mod touching;

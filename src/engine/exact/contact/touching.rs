@@ -16,6 +16,28 @@ pub const STEADY: f64 = 64.0;
 /// Rounds in which what is left of approach and parting is taken out of contacts that share balls.
 const ROUNDS: usize = 200;
 
+/// What counts as touching without closing in.
+#[derive(Clone, Copy, Debug)]
+pub struct Steady<T> {
+    /// A gap no larger than this, length.
+    pub near: T,
+    /// A gap that changes no faster than this, length/s.
+    pub slow: T,
+}
+
+impl<T: Real> Steady<T> {
+    /// As far as rounding tells.
+    pub fn of(world: &World<T>) -> Self {
+        Steady {
+            near: world.touching,
+            slow: world.blur.speed * T::lift(STEADY),
+        }
+    }
+}
+
+/// What is left of an approach is none at this part of the rounding of the fastest ball.
+const ULPS: f64 = 0.125;
+
 /// Balls that touch, taken out of their courses.
 pub struct Gathered<T> {
     /// The balls.
@@ -47,18 +69,35 @@ pub fn rate<T: Real>(members: &[Member<T>], touch: Touch) -> T {
     }
 }
 
+/// The gap of two parties now, length; negative where they overlap.
+pub fn gap<T: Real>(balls: &Kinematics<'_, T>, encounter: Encounter) -> T {
+    let world = balls.world();
+    match encounter {
+        Encounter::Pair(a, b) => {
+            let (p, q) = (balls.place(a), balls.place(b));
+            let [x, y] = [0, 1].map(|i| q[i] - p[i]);
+            (x * x + y * y).sqrt() - world.distance(a, b)
+        }
+        Encounter::Cushion(a, side) => {
+            let beyond = world.reach[a][side as usize] - balls.place(a)[side.axis()];
+            if side.sign() < 0 { -beyond } else { beyond }
+        }
+    }
+}
+
 /// What touches a ball now and neither approaches nor parts from it.
 pub fn touching<T: Real>(
     balls: &Kinematics<'_, T>,
     agenda: &Agenda<T>,
     ball: usize,
+    steady: &Steady<T>,
 ) -> Vec<Encounter> {
     let world = balls.world();
-    let slow = world.blur.speed * T::lift(STEADY);
+    let Steady { near: gap, slow } = *steady;
     let own = balls.moving(ball);
     let mut found = Vec::new();
     if world.contact.is_some() {
-        for other in agenda.neighbours(balls, ball, world.touching) {
+        for other in agenda.neighbours(balls, ball, gap) {
             if other == ball {
                 continue;
             }
@@ -67,7 +106,7 @@ pub fn touching<T: Real>(
             let apart = (p[0] * p[0] + p[1] * p[1]).sqrt();
             let rate = rate_between(&own, &there);
             let pair = Encounter::Pair(ball.min(other), ball.max(other));
-            let near = apart <= world.distance(ball, other) + world.touching;
+            let near = apart <= world.distance(ball, other) + gap;
             if near && rate.abs() <= slow && !balls.is_parting(pair) {
                 found.push(pair);
             }
@@ -75,9 +114,9 @@ pub fn touching<T: Real>(
     }
     if let Some(reach) = world.reach.get(ball) {
         for side in Side::ALL {
-            let gap = (reach[side as usize] - own.position[side.axis()]).abs();
+            let apart = (reach[side as usize] - own.position[side.axis()]).abs();
             let encounter = Encounter::Cushion(ball, side);
-            let near = gap <= world.touching && rate_to(&own, side).abs() <= slow;
+            let near = apart <= gap && rate_to(&own, side).abs() <= slow;
             if near && !balls.is_parting(encounter) {
                 found.push(encounter);
             }
@@ -124,6 +163,14 @@ pub fn components<T: Real>(whole: &Group<T>) -> Vec<Group<T>> {
 
 /// Takes the rounding of a stretch out of the gaps of a group: no gap opens or closes, and none has changed.
 pub fn keep_contacts<T: Real>(world: &World<T>, group: &Group<T>, states: &mut [Moving<T>]) {
+    let holds = group.holds.iter();
+    let named: Vec<Encounter> = holds.map(|h| h.touch.encounter(&group.members)).collect();
+    let balls = group.members.iter().map(|m| m.ball);
+    let mut placed: Vec<(usize, Moving<T>)> = balls.zip(states.iter().copied()).collect();
+    close_gaps(world, &named, &mut placed);
+    for (state, (_, placed)) in states.iter_mut().zip(placed) {
+        *state = placed;
+    }
     for hold in &group.holds {
         match hold.touch {
             Touch::Cushion(a, side) => states[a].velocity[side.axis()] = T::zero(),
@@ -156,37 +203,102 @@ pub fn keep_contacts<T: Real>(world: &World<T>, group: &Group<T>, states: &mut [
     }
 }
 
-/// Takes out of states what is left of approach and parting of encounters.
-pub fn calm<T: Real>(
+/// Takes out of balls what is left of approach and parting of contacts, by impulses along them to which each ball answers as what it does lets it: the
+/// nearest velocities by kinetic energy, which it never raises.
+pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
+    let answers = |m: &Member<T>| {
+        let part = match m.mode {
+            Mode::Rests => T::zero(),
+            Mode::Rolls => T::lift(5.0) / T::lift(7.0),
+            Mode::Slides | Mode::Drags | Mode::Floats => T::one(),
+        };
+        part / world.mass[m.ball]
+    };
+    for _ in 0..ROUNDS {
+        let mut fastest = T::zero();
+        for touch in touches {
+            let rate = rate(members, *touch);
+            fastest = fastest.at_least(rate.abs());
+            let (first, second, n) = match *touch {
+                Touch::Cushion(a, side) => {
+                    let mut n = [T::zero(); 2];
+                    // against the way in which the rate counts
+                    n[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
+                    (a, None, n)
+                }
+                Touch::Pair(a, b) => {
+                    let (one, other) = (members[a].moving.position, members[b].moving.position);
+                    let p = [0, 1].map(|k| other[k] - one[k]);
+                    let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
+                    (a, Some(b), p.map(|p| p / size))
+                }
+            };
+            let one = answers(&members[first]);
+            let other = second.map_or(T::zero(), |b| answers(&members[b]));
+            if one + other == T::zero() {
+                continue;
+            }
+            let impulse = rate / (one + other);
+            for (k, n) in n.into_iter().enumerate() {
+                members[first].moving.velocity[k] += n * impulse * one;
+                if let Some(b) = second {
+                    members[b].moving.velocity[k] -= n * impulse * other;
+                }
+            }
+        }
+        if fastest <= world.blur.speed * T::lift(ULPS) {
+            break;
+        }
+    }
+    for m in members {
+        settle(world.radius[m.ball], m.mode, &mut m.moving);
+    }
+}
+
+/// Moves balls so that encounters are at contact; those that rest where others do not stay.
+pub fn close_gaps<T: Real>(
     world: &World<T>,
     encounters: &[Encounter],
     states: &mut [(usize, Moving<T>)],
 ) {
+    let two = T::lift(2.0);
     for _ in 0..ROUNDS {
+        let mut farthest = T::zero();
         for encounter in encounters {
             let place = |ball: usize| states.iter().position(|(b, _)| *b == ball);
             match *encounter {
                 Encounter::Cushion(a, side) => {
                     if let Some(a) = place(a) {
-                        states[a].1.velocity[side.axis()] = T::zero();
+                        let (ball, state) = &mut states[a];
+                        state.position[side.axis()] = world.reach[*ball][side as usize];
                     }
                 }
                 Encounter::Pair(a, b) => {
                     let (Some(i), Some(j)) = (place(a), place(b)) else {
                         continue;
                     };
-                    let share = world.mass[b] / (world.mass[a] + world.mass[b]);
                     let (one, other) = (states[i].1, states[j].1);
+                    let rests = |m: &Moving<T>| m.velocity == [T::zero(); 2];
+                    let share = match (rests(&one), rests(&other)) {
+                        (true, false) => T::zero(),
+                        (false, true) => T::one(),
+                        _ => world.mass[b] / (world.mass[a] + world.mass[b]),
+                    };
                     let p = [0, 1].map(|k| other.position[k] - one.position[k]);
-                    let v = [0, 1].map(|k| other.velocity[k] - one.velocity[k]);
                     let square = p[0] * p[0] + p[1] * p[1];
-                    let along = (p[0] * v[0] + p[1] * v[1]) / square;
+                    let distance = world.distance(a, b);
+                    // the gap in parts of the distance, by a Newton step for its square
+                    let gap = (square - distance * distance) / (square * two);
+                    farthest = farthest.at_least(gap.abs());
                     for (k, p) in p.into_iter().enumerate() {
-                        states[i].1.velocity[k] += p * along * share;
-                        states[j].1.velocity[k] -= p * along * (T::one() - share);
+                        states[i].1.position[k] += p * gap * share;
+                        states[j].1.position[k] -= p * gap * (T::one() - share);
                     }
                 }
             }
+        }
+        if farthest <= T::lift(T::ULP) {
+            return;
         }
     }
 }

@@ -1,0 +1,349 @@
+//! The event loop's part where its scalar no longer tells what happens: several encounters whose impacts shrink together.
+//!
+//! A ball pressed to another that knocks at a third, a chain of balls that knock at each other: their impacts have a limit too, but no encounter has one by
+//! itself, so none can be left to it (see `limits`). The run goes on in the next scalar with more digits instead, with all balls, by the same
+//! laws and into the same trace, until nothing slow happens any more. Rounding of that scalar decides only what is as far below the rounding of this one
+//! as its digits go: an approach that it can no longer tell from none is none, and the contacts say what follows.
+
+use super::agenda::{Agenda, Due, Partners};
+use super::collapse::Streaks;
+use super::contact::decide::{member_but_for, settle};
+use super::contact::group::{Group, Member, Mode};
+use super::contact::held::Held;
+use super::contact::touching::{Gathered, Steady, calm, close_gaps, gap, keep_contacts, touching};
+use super::encounter::Encounter;
+use super::kinematics::Kinematics;
+use super::queue::What;
+use super::solve::Loop;
+use super::spin::Moving;
+use super::sustained::stretch;
+use super::world::SHRINKS;
+use crate::engine::Limits;
+use crate::math::Real;
+use crate::trace::Ending;
+
+/// What is left of a slip or a speed when the rest of an approach is over, in approaches, at most.
+const OVER: f64 = 8.0;
+
+/// An approach is nothing if it is no more than this part of what rounding makes of one.
+const NONE: f64 = 1e-4;
+
+/// Parties whose approach is nothing are no farther apart than this many of the ways in which the cloth takes it.
+const NEAR: f64 = 4.0;
+
+/// Events after which ten times as much is nothing.
+const PATIENCE: u32 = 1000;
+
+/// Gaps of no more than this many errors of a position are none.
+const CLOSED: f64 = 4.0;
+
+/// It is over when nothing happens within this many times what a ball takes to get as fast as rounding lets an approach look.
+const CALM: f64 = 1e3;
+
+/// Events of a run in another scalar, at most.
+const MOST_EVENTS: u32 = 200_000;
+
+/// What one run hands over to another in another scalar.
+struct Handover<T> {
+    time: T,
+    /// Balls in play that are not held: which, how they move, and what the cloth does to them.
+    balls: Vec<(usize, Moving<T>, Mode)>,
+    /// Balls that are held.
+    groups: Vec<Group<T>>,
+    /// Parties that part.
+    parting: Vec<Encounter>,
+}
+
+fn in_scalar<T: Real, U: Real>(moving: &Moving<T>) -> Moving<U> {
+    Moving {
+        position: moving.position.map(T::widen),
+        velocity: moving.velocity.map(T::widen),
+        spin: moving.spin.map(T::widen),
+    }
+}
+
+impl<T: Real> Loop<'_, T> {
+    /// An impact too slow for this scalar to tell how it goes on: another scalar takes over, or the parties touch from now on. Answers whether that ends the run.
+    #[cold]
+    pub(super) fn shrinks(&mut self, encounter: Encounter) -> Option<Ending> {
+        if self.is_fine {
+            return self.comes_to_touch(encounter);
+        }
+        self.blurred = true;
+        None
+    }
+
+    /// Parties approach so slowly that it is nothing to the run that this one has taken over from: they touch, and so does everything about them that is as
+    /// slow.
+    fn comes_to_touch(&mut self, encounter: Encounter) -> Option<Ending> {
+        let world = self.balls.world();
+        let steady = Steady {
+            near: (world.touching)
+                .at_least(self.slow * self.slow / world.strongest() * T::lift(NEAR)),
+            slow: self.slow * T::lift(2.0),
+        };
+        let mut gathered = self.connected(encounter, &steady);
+        let members = gathered.members.iter();
+        let mut states: Vec<(usize, Moving<T>)> = members.map(|m| (m.ball, m.moving)).collect();
+        let touches = gathered.touches.iter();
+        let named: Vec<Encounter> = touches.map(|t| t.encounter(&gathered.members)).collect();
+        close_gaps(world, &named, &mut states);
+        let members = states.into_iter();
+        gathered.members = members
+            .map(|(ball, moving)| member_but_for(world, ball, moving, self.slow * T::lift(OVER)))
+            .collect();
+        calm(world, &mut gathered.members, &gathered.touches);
+        let balls: Vec<usize> = gathered.members.iter().map(|m| m.ball).collect();
+        if let Some(ending) = self.streak_of(&balls) {
+            return Some(ending);
+        }
+        self.touches(encounter, gathered)
+    }
+
+    /// Balls go on from contacts that begin now. `gathered`: how they move from now on.
+    fn touches(&mut self, encounter: Encounter, mut gathered: Gathered<T>) -> Option<Ending> {
+        let members = gathered.members.iter();
+        let changes: Vec<(usize, Moving<T>, Moving<T>)> = members
+            .map(|m| (m.ball, self.balls.moving(m.ball), m.moving))
+            .collect();
+        for (ball, ..) in &changes {
+            self.give_up(*ball);
+        }
+        self.begin(encounter);
+        self.journal.touch(&self.balls, encounter, &changes);
+        if !gathered.held.contains(&encounter) {
+            gathered.held.push(encounter);
+        }
+        self.go_on(gathered, &[], &[], 0)
+    }
+
+    /// What is at hand goes on in the next scalar with more digits until it is over; answers whether that ends the run.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn finer(mut self, what: What, limits: &Limits<'_>) -> (Option<Ending>, Self) {
+        self.blurred = false;
+        let world = self.balls.world();
+        let patience = T::lift(CALM) * world.noise() / world.strongest();
+        let closed = self.closed(&what.balls());
+        let given = self.hand_over();
+        let noise: T::Finer = self.balls.world().noise().widen();
+        let scene = self.balls.scene();
+        let (now, longest) = (given.time.widen(), patience.widen());
+        let mut balls = Kinematics::<T::Finer>::taking_over(scene, now, T::ULP, longest);
+        take_up(&mut balls, &given, &closed);
+        // nothing to this scalar, and as slow as the other one tells
+        let fastest = balls.world().fastest;
+        let nothing = (noise.at_most(fastest * T::Finer::lift(SHRINKS)) * T::Finer::lift(NONE))
+            .at_least(balls.world().blurs());
+        let most = (nothing * T::Finer::lift(1.0 / NONE)).at_least(nothing);
+        let before: Vec<u32> = (0..balls.count()).map(|ball| balls.version(ball)).collect();
+        let mut fine = Loop {
+            agenda: Agenda::new(&balls, Partners::Auto),
+            streaks: Streaks::new(balls.count()),
+            slow: nothing,
+            begun: std::mem::take(&mut self.begun),
+            is_fine: true,
+            blurred: false,
+            balls,
+            journal: self.journal.handed_over(),
+        };
+        let (events, mut ending) = fine.until_calm(longest, most, limits);
+        let mut taken = fine.hand_over();
+        let changed = |ball: usize| fine.balls.version(ball) != before[ball];
+        taken.balls.retain(|(ball, ..)| changed(*ball));
+        let mut coarse = Loop {
+            journal: fine.journal.handed_over(),
+            begun: fine.begun,
+            ..self
+        };
+        coarse.balls.advance(taken.time.widen());
+        let set_off = take_up(&mut coarse.balls, &taken, &[]);
+        coarse.predict_all(&set_off);
+        if events == 0 && ending.is_none() {
+            // it does not see what this one sees, which is then for this one to say
+            let slow = std::mem::replace(&mut coarse.slow, T::zero());
+            ending = coarse.happen(what);
+            coarse.slow = slow;
+        }
+        (ending, coarse)
+    }
+
+    /// Everything for another run to go on with; no ball is held any more.
+    fn hand_over(&mut self) -> Handover<T> {
+        let free = (0..self.balls.count()).filter(|ball| !self.balls.is_held(*ball));
+        let moves = |ball| Some((ball, self.balls.moving(ball), self.balls.mode(ball)?));
+        let balls = free.filter_map(moves).collect();
+        let mut groups = Vec::new();
+        while let Some(head) = self.balls.contacts().held().first() {
+            let Some(held) = self.balls.let_go(head.group.members[0].ball) else {
+                break;
+            };
+            self.journal.stretch(&self.balls, &held);
+            let members = held.group.members.iter().map(|m| Member {
+                moving: self.balls.state_in(&held, m.ball),
+                ..*m
+            });
+            groups.push(Group {
+                members: members.collect(),
+                holds: held.group.holds.clone(),
+            });
+        }
+        Handover {
+            time: self.balls.now(),
+            balls,
+            groups,
+            parting: self.balls.parting(),
+        }
+    }
+
+    /// The encounters whose gap is none, of balls that are connected with `seeds`, of those that are held, and of those that part.
+    fn closed(&self, seeds: &[usize]) -> Vec<Encounter> {
+        let world = self.balls.world();
+        let steady = Steady {
+            near: world.blur.length * T::lift(CLOSED),
+            slow: T::lift(f64::INFINITY),
+        };
+        let mut balls = seeds.to_vec();
+        let near = |encounter: &Encounter| gap(&self.balls, *encounter).abs() <= steady.near;
+        let parting = self.balls.parting().into_iter();
+        let mut found: Vec<Encounter> = parting.filter(near).collect();
+        for held in self.balls.contacts().held() {
+            found.extend(held.encounters());
+        }
+        let mut next = 0;
+        while let Some(&ball) = balls.get(next) {
+            next += 1;
+            for encounter in touching(&self.balls, &self.agenda, ball, &steady) {
+                if !found.contains(&encounter) {
+                    found.push(encounter);
+                }
+                for other in encounter.balls() {
+                    if !balls.contains(&other) {
+                        balls.push(other);
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Runs until nothing slow happens for `patience`, s, taking more and more of an approach for nothing, up to `most`, length/s; answers how many events that
+    /// took, and whether they end the run.
+    fn until_calm(&mut self, patience: T, most: T, limits: &Limits<'_>) -> (u32, Option<Ending>) {
+        let mut since = self.balls.now();
+        let mut events = 0;
+        loop {
+            match self.agenda.due(&self.balls) {
+                Due::Nothing => return (events, None),
+                Due::Upkeep(time, _) | Due::Event(time, _)
+                    if events > 0 && time > since + patience =>
+                {
+                    return (events, None);
+                }
+                Due::Upkeep(time, upkeep) => {
+                    self.balls.advance(time);
+                    self.agenda.keep_up(&self.balls, upkeep);
+                }
+                Due::Event(time, what) => {
+                    self.balls.advance(time);
+                    let over = events > 0 && self.is_fast(what);
+                    if over || self.journal.events() >= limits.max_events || limits.is_cancelled() {
+                        return (events, None);
+                    }
+                    events += 1;
+                    if !self.continues(what) {
+                        since = time;
+                    }
+                    if let Some(ending) = self.happen(what) {
+                        return (events, Some(ending));
+                    }
+                    if events % PATIENCE == 0 {
+                        self.slow = (self.slow * T::lift(10.0)).at_most(most);
+                    }
+                    if events > MOST_EVENTS {
+                        let why = "impacts of several encounters shrink together without end";
+                        let spot = self.balls.spot(&what.balls(), why);
+                        return (events, Some(Ending::Collapsed(spot)));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether an event is only the end of a stretch after which a group goes on as before.
+    fn continues(&self, what: What) -> bool {
+        match what {
+            What::End(ball) => {
+                let held = self.balls.contacts().of(ball as usize);
+                held.is_some_and(|held| held.arc.changes.is_empty())
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether an event is none of those that shrink together.
+    fn is_fast(&self, what: What) -> bool {
+        let encounter = match what {
+            What::Pair(a, b) | What::UnclearPair(a, b) => Encounter::Pair(a as usize, b as usize),
+            What::Cushion(a, side) | What::UnclearCushion(a, side) => {
+                Encounter::Cushion(a as usize, side)
+            }
+            What::Pocket(..) | What::UnclearPocket(..) => return true,
+            What::End(_) | What::Leaving(..) | What::Nothing => return false,
+        };
+        -self.rate_of(encounter) >= self.balls.world().fastest * T::lift(SHRINKS)
+    }
+}
+
+/// Puts balls on the courses that another run has left them on; answers which. `closed`: encounters whose gap is none.
+fn take_up<T: Real, U: Real>(
+    balls: &mut Kinematics<'_, U>,
+    given: &Handover<T>,
+    closed: &[Encounter],
+) -> Vec<usize> {
+    let world = balls.world().clone();
+    let mut states: Vec<(usize, Moving<U>)> = Vec::new();
+    for (ball, moving, mode) in &given.balls {
+        let mut moving = in_scalar(moving);
+        settle(world.radius[*ball], *mode, &mut moving);
+        states.push((*ball, moving));
+    }
+    let free = states.len();
+    for member in given.groups.iter().flat_map(|group| &group.members) {
+        states.push((member.ball, in_scalar(&member.moving)));
+    }
+    close_gaps(&world, closed, &mut states);
+    for (ball, moving) in &states[..free] {
+        let course = balls.course(*ball, *moving);
+        balls.set_off(*ball, &course);
+    }
+    let mut held = states[free..].iter().map(|(_, moving)| *moving);
+    for group in &given.groups {
+        let moving: Vec<Moving<U>> = held.by_ref().take(group.members.len()).collect();
+        let mut moving = moving;
+        let members = group.members.iter().zip(&moving).map(|(m, moving)| Member {
+            ball: m.ball,
+            moving: *moving,
+            mode: m.mode,
+            twist: m.twist,
+        });
+        let mut group = Group {
+            members: members.collect(),
+            holds: group.holds.clone(),
+        };
+        keep_contacts(&world, &group, &mut moving);
+        for (member, moving) in group.members.iter_mut().zip(moving) {
+            member.moving = moving;
+        }
+        balls.hold(Held {
+            arc: stretch(balls, &group),
+            group,
+            start: balls.now(),
+            stuck: 0,
+        });
+    }
+    for encounter in &given.parting {
+        balls.part(*encounter);
+    }
+    states.into_iter().map(|(ball, _)| ball).collect()
+}
