@@ -4,17 +4,16 @@ use super::cluster_impact::{ClusterImpact, Met, RowSide};
 use super::contact::arc::Arc;
 use super::contact::group::{Change, Group, Mode};
 use super::contact::held::Held;
+use super::contact::touching::Touched;
 use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
 use super::kinematics::Kinematics;
 use super::phases::PhaseEnd;
-use super::spin::Moving;
 use crate::math::Real;
 use crate::physics::invariants::{kinetic_energy, momentum};
 use crate::physics::{Side, State};
 use crate::trace::{
-    Counter, Ending, EventKind, Partner, Provenance, Record, Recorder, Trace,
-    UNEXPLAINED_IN_CONTACT,
+    Counter, Ending, EventKind, Provenance, Record, Recorder, Trace, UNEXPLAINED_IN_CONTACT,
 };
 
 /// Knots of one stretch, at most.
@@ -212,31 +211,35 @@ impl<T: Real> Journal<T> {
         }
     }
 
-    /// Parties that touch from now on: what was left of their approach is over, and balls that touch them have answered to it. `changes`: how each ball moved,
-    /// and how it moves.
+    /// Parties that touch from now on: what was left of their approach is over, and balls that touch them have answered to it.
     pub fn touch(
         &mut self,
         balls: &Kinematics<'_, T>,
         encounter: Encounter,
-        changes: &[(usize, Moving<T>, Moving<T>)],
+        touched: &[Touched<T>],
     ) {
         let time = balls.now().to_f64();
         let event = self.contact_row(balls, encounter, true);
         let scene = balls.scene();
         let mut gained = 0.0;
-        for (ball, before, after) in changes {
-            let [before, after] = [before, after].map(|moving| balls.state_of(*ball, moving));
-            let (mass, inertia) = (scene.balls[*ball].mass, scene.inertia(*ball));
-            gained +=
-                kinetic_energy(&after, mass, inertia) - kinetic_energy(&before, mass, inertia);
-            self.recorder.jump(*ball, time, &before, &after, event);
+        let told = |t: &&Touched<T>| t.is_changed() || encounter.involves(t.ball);
+        for t in touched.iter().filter(told) {
+            let ball = t.ball;
+            let [near, far] = [&t.before, &t.after].map(|moving| balls.state_of(ball, moving));
+            let (mass, inertia) = (scene.balls[ball].mass, scene.inertia(ball));
+            gained += kinetic_energy(&far, mass, inertia) - kinetic_energy(&near, mass, inertia);
+            self.recorder.jump(ball, time, &near, &far, event);
         }
-        let (first, second) = encounter.parties();
-        let other = match second {
-            Partner::Ball(other) => Some(other as usize),
-            Partner::Cushion(_) => None,
-        };
-        self.recorder.energy_change(time, gained, first, other);
+        for t in touched.iter().filter(|t| t.stops) {
+            let far = balls.state_of(t.ball, &t.after);
+            self.count(balls.now());
+            self.recorder.stop(t.ball, time, &far, &far);
+        }
+        let mut parties = encounter.balls();
+        if let Some(first) = parties.next() {
+            self.recorder
+                .energy_change(time, gained, first, parties.next());
+        }
     }
 
     /// What balls did that were held until now: states between which their acceleration is nearly constant.

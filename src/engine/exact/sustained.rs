@@ -6,8 +6,8 @@ use super::contact::decide::{Undetermined, decide, member};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::Held;
 use super::contact::touching::{
-    Gathered, STEADY, Steady, calm, components, keep_contacts, rate, rate_between, rate_to,
-    touching,
+    Gathered, STEADY, Steady, Touched, calm, components, keep_contacts, rate, rate_between,
+    rate_to, touching,
 };
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
@@ -217,11 +217,54 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
-        let mut gathered = self.gather(encounter, &Steady::of(self.balls.world()));
+        let steady = Steady::of(self.balls.world());
+        if self.rate_of(encounter) > steady.slow {
+            // they part already: rounding has them meet
+            let balls: Vec<usize> = encounter.balls().collect();
+            self.balls.part(encounter);
+            self.predict_all(&balls);
+            return self.streak_of(&balls);
+        }
+        let mut gathered = self.connected(encounter, &steady);
         calm(self.balls.world(), &mut gathered.members, &gathered.touches);
+        self.touches(encounter, gathered)
+    }
+
+    /// What a contact that begins now does to a ball.
+    fn touched(&self, member: &Member<T>) -> Touched<T> {
+        let before = self.balls.moving(member.ball);
+        let zero = [T::zero(); 2];
+        // also one whose phase ends at this very time
+        let moved = self.balls.flight(member.ball).moves() && !self.balls.is_held(member.ball);
+        Touched {
+            ball: member.ball,
+            before,
+            after: member.moving,
+            stops: member.moving.velocity == zero && (moved || before.velocity != zero),
+        }
+    }
+
+    /// Balls go on from contacts that begin now. `gathered`: how they move from now on.
+    pub(super) fn touches(
+        &mut self,
+        encounter: Encounter,
+        mut gathered: Gathered<T>,
+    ) -> Option<Ending> {
         let balls: Vec<usize> = gathered.members.iter().map(|m| m.ball).collect();
         if let Some(ending) = self.streak_of(&balls) {
             return Some(ending);
+        }
+        let members = gathered.members.iter();
+        let changes: Vec<Touched<T>> = members.map(|m| self.touched(m)).collect();
+        for ball in balls {
+            self.give_up(ball);
+        }
+        if changes.iter().any(Touched::is_changed) {
+            self.begin(encounter);
+            self.journal.touch(&self.balls, encounter, &changes);
+            if !gathered.held.contains(&encounter) {
+                gathered.held.push(encounter);
+            }
         }
         self.go_on(gathered, &[], &[], 0)
     }

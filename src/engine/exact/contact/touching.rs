@@ -48,6 +48,27 @@ pub struct Gathered<T> {
     pub held: Vec<Encounter>,
 }
 
+/// What a contact that begins does to a ball.
+#[derive(Clone, Copy, Debug)]
+pub struct Touched<T> {
+    /// Index in scene order.
+    pub ball: usize,
+    /// How it moved.
+    pub before: Moving<T>,
+    /// How it moves.
+    pub after: Moving<T>,
+    /// Whether its centre comes to rest.
+    pub stops: bool,
+}
+
+impl<T: Real> Touched<T> {
+    /// Whether it does anything.
+    pub fn is_changed(&self) -> bool {
+        let (before, after) = (&self.before, &self.after);
+        self.stops || before.velocity != after.velocity || before.spin != after.spin
+    }
+}
+
 /// Rate of the gap of two balls, length/s.
 pub fn rate_between<T: Real>(one: &Moving<T>, other: &Moving<T>) -> T {
     let p = [0, 1].map(|i| other.position[i] - one.position[i]);
