@@ -88,7 +88,7 @@ pub struct Settings {
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
-    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: random scenes with other sizes than those of billiards show overlaps and missed hits.
+    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: in random scenes of sizes far from those of billiards balls overlap by more than rounding.
     pub contacts: AtContacts,
 }
 

@@ -128,6 +128,13 @@ impl<T: Real> Arc<T> {
         for node in equations.velocity.iter().flatten() {
             length = length.at_most(T::lift(reach(tape.series(*node), speed, part)));
         }
+        // friction between balls turns them where it hardly moves them
+        for (member, nodes) in group.members.iter().zip(&equations.spin) {
+            let turn = speed / world.radius[member.ball].to_f64();
+            for node in nodes {
+                length = length.at_most(T::lift(reach(tape.series(*node), turn, part)));
+            }
+        }
         // a sum of terms that is beyond what energy allows does not converge
         let bound = |length: T| {
             let sizes = equations.velocity.iter().flatten();
