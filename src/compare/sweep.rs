@@ -35,9 +35,11 @@ pub struct Sweep {
 pub fn sweep(scene: &Scene, trace: &Trace, allowed: f64) -> Sweep {
     let mut seen = Sweep::default();
     let n = scene.balls.len();
+    let contacts = Contacts::of(trace);
     for a in 0..n {
         for b in a + 1..n {
-            if let Some(time) = first_overlap(scene, trace, (a, b), allowed, &mut seen) {
+            let found = overlap_of(scene, trace, (a, b), allowed, &contacts, &mut seen);
+            if let Some(time) = found {
                 seen.overlaps.push((a, b, time));
             }
         }
@@ -91,6 +93,17 @@ pub fn first_overlap(
     allowed: f64,
     seen: &mut Sweep,
 ) -> Option<f64> {
+    overlap_of(scene, trace, (a, b), allowed, &Contacts::of(trace), seen)
+}
+
+fn overlap_of(
+    scene: &Scene,
+    trace: &Trace,
+    (a, b): (usize, usize),
+    allowed: f64,
+    contacts: &Contacts,
+    seen: &mut Sweep,
+) -> Option<f64> {
     let radii = [a, b].map(|ball| scene.balls[ball].radius);
     if radii.iter().any(|radius| *radius <= 2.0 * allowed) {
         seen.given_up += 1;
@@ -104,7 +117,6 @@ pub fn first_overlap(
     };
     let until = in_play(a).min(in_play(b));
     let most = seen.casts + MOST_CASTS;
-    let contacts = Contacts::of(trace);
     let held = |ball: usize, span: &[f64]| {
         contacts.during(ball, [span[0], span[1]]) || contacts.during(ball, [span[0]; 2])
     };

@@ -6,6 +6,7 @@
 
 use super::agenda::Agenda;
 use super::ambiguity::indeterminate;
+use super::encounter::Encounter;
 use super::impact::{Arrival, ImpactSide};
 use super::instant::{Change, Exchange, Resolved};
 use super::kinematics::Kinematics;
@@ -135,18 +136,11 @@ fn reaches_out<T: Real>(balls: &Kinematics<'_, T>, cluster: &Cluster<'_, T>) -> 
     let smallest = world.radius.iter().copied().reduce(T::at_most);
     let farthest = smallest.map_or(T::zero(), |radius| radius * T::lift(FARTHEST));
     cluster.touches.iter().any(|touch| {
-        let gap = match *touch {
-            Touch::Pair(a, b, _) => {
-                let (a, b) = (cluster.balls[a], cluster.balls[b]);
-                let ([x, y], [u, v]) = (balls.place(a), balls.place(b));
-                ((u - x) * (u - x) + (v - y) * (v - y)).sqrt() - world.distance(a, b)
-            }
-            Touch::Cushion(a, side) => {
-                let a = cluster.balls[a];
-                (world.reach[a][side as usize] - balls.place(a)[side.axis()]).abs()
-            }
+        let encounter = match *touch {
+            Touch::Pair(a, b, _) => Encounter::Pair(cluster.balls[a], cluster.balls[b]),
+            Touch::Cushion(a, side) => Encounter::Cushion(cluster.balls[a], side),
         };
-        gap > farthest
+        balls.gap(encounter) > farthest
     })
 }
 

@@ -1,5 +1,7 @@
-//! Who meets whom.
+//! Who meets whom, and how fast their gap changes.
 
+use super::spin::Moving;
+use crate::math::Real;
 use crate::physics::Side;
 use crate::trace::Partner;
 
@@ -34,4 +36,17 @@ impl Encounter {
             Encounter::Cushion(a, side) => (a, Partner::Cushion(side)),
         }
     }
+}
+
+/// Rate of the gap of two balls, length/s.
+pub fn rate_between<T: Real>(one: &Moving<T>, other: &Moving<T>) -> T {
+    let p = [0, 1].map(|i| other.position[i] - one.position[i]);
+    let v = [0, 1].map(|i| other.velocity[i] - one.velocity[i]);
+    (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]).sqrt()
+}
+
+/// Rate of the gap of a ball to a cushion, length/s.
+pub fn rate_to<T: Real>(moving: &Moving<T>, side: Side) -> T {
+    let v = moving.velocity[side.axis()];
+    if side.sign() < 0 { v } else { -v }
 }

@@ -10,16 +10,16 @@
 use super::agenda::{Agenda, Due, Partners};
 use super::collapse::Streaks;
 use super::contact::decide::{member_but_for, settle};
-use super::contact::group::{Group, Member, Mode};
+use super::contact::group::{Group, Member, Touch, Twist};
 use super::contact::held::Held;
-use super::contact::touching::{Steady, calm, close_gaps, gap, keep_contacts, touching};
+use super::contact::touching::{Steady, close_gaps, keep_contacts, touching};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
 use super::queue::What;
 use super::solve::Loop;
 use super::spin::Moving;
 use super::sustained::stretch;
-use super::world::SHRINKS;
+use super::world::{SHRINKS, World};
 use crate::engine::Limits;
 use crate::math::Real;
 use crate::trace::Ending;
@@ -48,19 +48,27 @@ const MOST_EVENTS: u32 = 200_000;
 /// What one run hands over to another in another scalar.
 struct Handover<T> {
     time: T,
-    /// Balls in play that are not held: which, how they move, and what the cloth does to them.
-    balls: Vec<(usize, Moving<T>, Mode)>,
+    /// Balls in play that are not held.
+    balls: Vec<Member<T>>,
     /// Balls that are held.
     groups: Vec<Group<T>>,
     /// Parties that part.
     parting: Vec<Encounter>,
 }
 
-fn in_scalar<T: Real, U: Real>(moving: &Moving<T>) -> Moving<U> {
-    Moving {
-        position: moving.position.map(T::widen),
-        velocity: moving.velocity.map(T::widen),
-        spin: moving.spin.map(T::widen),
+/// The same ball in another scalar, with what its mode makes of velocity and spin.
+fn in_scalar<T: Real, U: Real>(world: &World<U>, m: &Member<T>) -> Member<U> {
+    let mut moving = Moving {
+        position: m.moving.position.map(T::widen),
+        velocity: m.moving.velocity.map(T::widen),
+        spin: m.moving.spin.map(T::widen),
+    };
+    settle(world.radius[m.ball], m.mode, &mut moving);
+    Member {
+        ball: m.ball,
+        moving,
+        mode: m.mode,
+        twist: m.twist,
     }
 }
 
@@ -85,16 +93,11 @@ impl<T: Real> Loop<'_, T> {
             slow: self.slow * T::lift(2.0),
         };
         let mut gathered = self.connected(encounter, &steady);
-        let members = gathered.members.iter();
-        let mut states: Vec<(usize, Moving<T>)> = members.map(|m| (m.ball, m.moving)).collect();
-        let touches = gathered.touches.iter();
-        let named: Vec<Encounter> = touches.map(|t| t.encounter(&gathered.members)).collect();
-        close_gaps(world, &named, &mut states);
-        let members = states.into_iter();
-        gathered.members = members
-            .map(|(ball, moving)| member_but_for(world, ball, moving, self.slow * T::lift(OVER)))
-            .collect();
-        calm(world, &mut gathered.members, &gathered.touches);
+        let still = self.slow * T::lift(OVER);
+        for m in &mut gathered.members {
+            *m = member_but_for(world, m.ball, m.moving, still);
+        }
+        keep_contacts(world, &mut gathered.members, &gathered.touches);
         self.touches(encounter, gathered)
     }
 
@@ -131,7 +134,7 @@ impl<T: Real> Loop<'_, T> {
         let (events, mut ending) = fine.until_calm(longest, most, limits);
         let mut taken = fine.hand_over();
         let changed = |ball: usize| fine.balls.version(ball) != before[ball];
-        taken.balls.retain(|(ball, ..)| changed(*ball));
+        taken.balls.retain(|m| changed(m.ball));
         let mut coarse = Loop {
             journal: fine.journal.handed_over(),
             begun: fine.begun,
@@ -152,8 +155,15 @@ impl<T: Real> Loop<'_, T> {
     /// Everything for another run to go on with; no ball is held any more.
     fn hand_over(&mut self) -> Handover<T> {
         let free = (0..self.balls.count()).filter(|ball| !self.balls.is_held(*ball));
-        let moves = |ball| Some((ball, self.balls.moving(ball), self.balls.mode(ball)?));
-        let balls = free.filter_map(moves).collect();
+        let member = |ball| {
+            Some(Member {
+                ball,
+                moving: self.balls.moving(ball),
+                mode: self.balls.mode(ball)?,
+                twist: Twist::Free,
+            })
+        };
+        let balls = free.filter_map(member).collect();
         let mut groups = Vec::new();
         while let Some(head) = self.balls.contacts().held().first() {
             let Some(held) = self.balls.let_go(head.group.members[0].ball) else {
@@ -185,7 +195,7 @@ impl<T: Real> Loop<'_, T> {
             slow: T::lift(f64::INFINITY),
         };
         let mut balls = seeds.to_vec();
-        let near = |encounter: &Encounter| gap(&self.balls, *encounter).abs() <= steady.near;
+        let near = |encounter: &Encounter| self.balls.gap(*encounter).abs() <= steady.near;
         let parting = self.balls.parting().into_iter();
         let mut found: Vec<Encounter> = parting.filter(near).collect();
         for held in self.balls.contacts().held() {
@@ -272,7 +282,7 @@ impl<T: Real> Loop<'_, T> {
             What::Pocket(..) | What::UnclearPocket(..) => return true,
             What::End(_) | What::Leaving(..) | What::Nothing => return false,
         };
-        -self.rate_of(encounter) >= self.balls.world().fastest * T::lift(SHRINKS)
+        -self.balls.rate(encounter) >= self.balls.world().fastest * T::lift(SHRINKS)
     }
 }
 
@@ -283,39 +293,25 @@ fn take_up<T: Real, U: Real>(
     closed: &[Encounter],
 ) -> Vec<usize> {
     let world = balls.world().clone();
-    let mut states: Vec<(usize, Moving<U>)> = Vec::new();
-    for (ball, moving, mode) in &given.balls {
-        let mut moving = in_scalar(moving);
-        settle(world.radius[*ball], *mode, &mut moving);
-        states.push((*ball, moving));
+    let grouped = given.groups.iter().flat_map(|group| &group.members);
+    let all = given.balls.iter().chain(grouped);
+    let mut all: Vec<Member<U>> = all.map(|m| in_scalar(&world, m)).collect();
+    let touches = closed.iter();
+    let touches: Vec<Touch> = touches.filter_map(|e| Touch::of(*e, &all)).collect();
+    close_gaps(&world, &mut all, &touches);
+    let (free, grouped) = all.split_at(given.balls.len());
+    for m in free {
+        let course = balls.course(m.ball, m.moving);
+        balls.set_off(m.ball, &course);
     }
-    let free = states.len();
-    for member in given.groups.iter().flat_map(|group| &group.members) {
-        states.push((member.ball, in_scalar(&member.moving)));
-    }
-    close_gaps(&world, closed, &mut states);
-    for (ball, moving) in &states[..free] {
-        let course = balls.course(*ball, *moving);
-        balls.set_off(*ball, &course);
-    }
-    let mut held = states[free..].iter().map(|(_, moving)| *moving);
+    let mut grouped = grouped.iter().copied();
     for group in &given.groups {
-        let moving: Vec<Moving<U>> = held.by_ref().take(group.members.len()).collect();
-        let mut moving = moving;
-        let members = group.members.iter().zip(&moving).map(|(m, moving)| Member {
-            ball: m.ball,
-            moving: *moving,
-            mode: m.mode,
-            twist: m.twist,
-        });
         let mut group = Group {
-            members: members.collect(),
+            members: grouped.by_ref().take(group.members.len()).collect(),
             holds: group.holds.clone(),
         };
-        keep_contacts(&world, &group, &mut moving);
-        for (member, moving) in group.members.iter_mut().zip(moving) {
-            member.moving = moving;
-        }
+        let touches = group.touches();
+        keep_contacts(&world, &mut group.members, &touches);
         balls.hold(Held {
             arc: stretch(balls, &group),
             group,
@@ -326,5 +322,5 @@ fn take_up<T: Real, U: Real>(
     for encounter in &given.parting {
         balls.part(*encounter);
     }
-    states.into_iter().map(|(ball, _)| ball).collect()
+    all.iter().map(|m| m.ball).collect()
 }

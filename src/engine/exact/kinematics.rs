@@ -7,7 +7,7 @@
 
 use super::contact::group::Mode;
 use super::contact::held::{Contacts, Held};
-use super::encounter::Encounter;
+use super::encounter::{Encounter, rate_between, rate_to};
 use super::flight::{Flight, Ground, Phase};
 use super::spin::{Moving, Rotation, Spin, Turn};
 use super::world::World;
@@ -76,11 +76,11 @@ impl<'a, T: Real> Kinematics<'a, T> {
 
     /// A scene at `time`, s, for a run that takes over from one in another scalar (see [`World::taking_over`]): every ball has yet to set off.
     pub fn taking_over(scene: &'a Scene, time: T, ulp: f64, longest: T) -> Self {
-        let balls = Kinematics::new(scene);
+        let new = Kinematics::new(scene);
         let mut balls = Kinematics {
-            world: World::taking_over(scene, ulp, longest),
+            world: new.world.taking_over(ulp, longest),
             now: time,
-            ..balls
+            ..new
         };
         for ball in 0..balls.count() {
             balls.take_out(ball);
@@ -200,6 +200,29 @@ impl<'a, T: Real> Kinematics<'a, T> {
             position,
             velocity,
             spin: self.spin_now(ball),
+        }
+    }
+
+    /// The gap of two parties now, length; negative where they overlap.
+    pub fn gap(&self, encounter: Encounter) -> T {
+        match encounter {
+            Encounter::Pair(a, b) => {
+                let (p, q) = (self.place(a), self.place(b));
+                let [x, y] = [0, 1].map(|i| q[i] - p[i]);
+                (x * x + y * y).sqrt() - self.world.distance(a, b)
+            }
+            Encounter::Cushion(a, side) => {
+                let beyond = self.world.reach[a][side as usize] - self.place(a)[side.axis()];
+                if side.sign() < 0 { -beyond } else { beyond }
+            }
+        }
+    }
+
+    /// Rate of the gap of two parties now, length/s.
+    pub fn rate(&self, encounter: Encounter) -> T {
+        match encounter {
+            Encounter::Pair(a, b) => rate_between(&self.moving(a), &self.moving(b)),
+            Encounter::Cushion(a, side) => rate_to(&self.moving(a), side),
         }
     }
 

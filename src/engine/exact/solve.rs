@@ -245,7 +245,7 @@ impl<T: Real> Loop<'_, T> {
         let slow = encounter.filter(|encounter| {
             let touched = self.begun.iter().flat_map(|begun| begun.balls());
             let mut touched = touched.filter(|ball| encounter.involves(*ball));
-            touched.next().is_some() && self.rate_of(*encounter).abs() < self.slow
+            touched.next().is_some() && self.balls.rate(*encounter).abs() < self.slow
         });
         match slow {
             Some(encounter) => self.shrinks(encounter),

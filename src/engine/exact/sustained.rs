@@ -6,8 +6,7 @@ use super::contact::decide::{Undetermined, decide, member};
 use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
 use super::contact::held::Held;
 use super::contact::touching::{
-    Gathered, STEADY, Steady, Touched, calm, components, keep_contacts, rate, rate_between,
-    rate_to, touching,
+    Gathered, STEADY, Steady, Touched, calm, components, keep_contacts, rate, touching,
 };
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
@@ -61,13 +60,14 @@ impl<T: Real> Loop<'_, T> {
         self.journal.stretch(&self.balls, &held);
         let encounters = held.encounters();
         let world = self.balls.world();
-        let mut states = held.arc.end(world, &held.group);
-        keep_contacts(world, &held.group, &mut states);
+        let states = held.arc.end(world, &held.group);
         let changes = held.arc.changes.clone();
         let mut group = held.group;
-        for (member, state) in group.members.iter_mut().zip(&states) {
-            member.moving = *state;
+        for (member, state) in group.members.iter_mut().zip(states) {
+            member.moving = state;
         }
+        let touches = group.touches();
+        keep_contacts(world, &mut group.members, &touches);
         if changes.is_empty() {
             self.hold(Held {
                 arc: stretch(&self.balls, &group),
@@ -95,7 +95,7 @@ impl<T: Real> Loop<'_, T> {
         self.journal
             .changes(&self.balls, &held.arc, &group, &changes);
         let gathered = Gathered {
-            touches: group.holds.iter().map(|hold| hold.touch).collect(),
+            touches,
             members: group.members,
             held: encounters,
         };
@@ -172,7 +172,7 @@ impl<T: Real> Loop<'_, T> {
         begun.any(|encounter| encounter.balls().all(|ball| balls.contains(&ball)))
     }
 
-    pub(super) fn begin(&mut self, encounter: Encounter) {
+    fn begin(&mut self, encounter: Encounter) {
         if !self.begun.contains(&encounter) {
             self.begun.push(encounter);
         }
@@ -218,7 +218,7 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
         let steady = Steady::of(self.balls.world());
-        if self.rate_of(encounter) > steady.slow {
+        if self.balls.rate(encounter) > steady.slow {
             // they part already: rounding has them meet
             let balls: Vec<usize> = encounter.balls().collect();
             self.balls.part(encounter);
@@ -272,7 +272,7 @@ impl<T: Real> Loop<'_, T> {
     /// An impact of balls that are held, or of which others are that are within its reach.
     #[cold]
     pub(super) fn struck_together(&mut self, encounter: Encounter) -> Option<Ending> {
-        let closing = -self.rate_of(encounter);
+        let closing = -self.balls.rate(encounter);
         if self.is_still(closing) {
             return self.touch(encounter);
         }
@@ -382,16 +382,8 @@ impl<T: Real> Loop<'_, T> {
         ClusterImpact::of_cluster(&self.balls, &cluster, &seeds)
     }
 
-    /// Rate of the gap of two parties now, length/s.
-    pub(super) fn rate_of(&self, encounter: Encounter) -> T {
-        match encounter {
-            Encounter::Pair(a, b) => rate_between(&self.balls.moving(a), &self.balls.moving(b)),
-            Encounter::Cushion(a, side) => rate_to(&self.balls.moving(a), side),
-        }
-    }
-
     /// Gives up the group that holds a ball: until it is decided how its balls go on, they do as they would alone.
-    pub(super) fn give_up(&mut self, ball: usize) {
+    fn give_up(&mut self, ball: usize) {
         if let Some(group) = self.balls.let_go(ball) {
             self.journal.stretch(&self.balls, &group);
             for m in &group.group.members {
@@ -408,7 +400,7 @@ impl<T: Real> Loop<'_, T> {
     }
 
     /// Everything that touches the parties of `seed`, directly or through others, without closing in; taken out of the groups that hold it.
-    pub(super) fn gather(&mut self, seed: Encounter, steady: &Steady<T>) -> Gathered<T> {
+    fn gather(&mut self, seed: Encounter, steady: &Steady<T>) -> Gathered<T> {
         let gathered = self.connected(seed, steady);
         for member in &gathered.members {
             self.give_up(member.ball);
@@ -446,11 +438,8 @@ impl<T: Real> Loop<'_, T> {
             }
         }
         let members: Vec<Member<T>> = balls.iter().map(|ball| self.as_member(*ball)).collect();
-        let place = |ball: usize| balls.iter().position(|b| *b == ball).unwrap_or(0);
-        let touches = encounters.iter().map(|encounter| match *encounter {
-            Encounter::Pair(a, b) => Touch::Pair(place(a), place(b)),
-            Encounter::Cushion(a, side) => Touch::Cushion(place(a), side),
-        });
+        let touches = encounters.iter();
+        let touches = touches.filter_map(|encounter| Touch::of(*encounter, &members));
         let touches = touches.collect();
         Gathered {
             members,

@@ -14,6 +14,9 @@ const ROUNDINGS: f64 = 4.0;
 /// Surfaces that touch by a scalar's own account are this many errors of a position apart, at most.
 const RESOLVED: f64 = 16.0;
 
+/// What turns while it ends is over at this many roundings of the fastest ball.
+const OVER: f64 = 64.0;
+
 /// Rounding will soon say how impacts go on when an approach is this many times what it makes of one.
 const NOISE: f64 = 100.0;
 
@@ -128,15 +131,14 @@ impl<T: Real> World<T> {
         }
     }
 
-    /// The world of a scene for a run that takes over from one whose numbers have the spacing `ulp` and which it follows no longer than
-    /// `longest`, s, at a time: surfaces touch as far as this scalar tells.
-    pub fn taking_over(scene: &Scene, ulp: f64, longest: T) -> Self {
-        let world = World::new(scene);
+    /// The same for a run that takes over from one whose numbers have the spacing `ulp`, and which follows contacts no longer than `longest`, s, at a
+    /// time: surfaces touch as far as this scalar tells.
+    pub fn taking_over(self, ulp: f64, longest: T) -> Self {
         World {
-            touching: world.blur.length * T::lift(RESOLVED),
+            touching: self.blur.length * T::lift(RESOLVED),
             accuracy: T::ULP.max(ulp * ulp.sqrt()),
             longest,
-            ..world
+            ..self
         }
     }
 
@@ -162,6 +164,11 @@ impl<T: Real> World<T> {
             (_, Ground::Coulomb(deceleration)) => deceleration,
             _ => self.fastest * self.fastest / T::lift(self.widest_distance()),
         }
+    }
+
+    /// A slip or a speed that turns while it ends, in contact, is over when it is no more than this, length/s.
+    pub fn over(&self) -> T {
+        self.blur.speed * T::lift(OVER * (self.accuracy / T::ULP))
     }
 
     /// What rounding of a gap makes of an approach, length/s.

@@ -36,7 +36,7 @@ const ULPS: f64 = 64.0;
 /// took three quarters of it.
 const CHAIN_ULPS: f64 = 8192.0;
 
-/// Gaps of so many ulp of the largest coordinate are rounding, and an engine that solves for events closes them where impacts shrink.
+/// Gaps of so many ulp of the largest coordinate are rounding, and are closed where impacts shrink to a contact.
 const CLOSED_ULPS: f64 = 16.0;
 
 /// Speeds below this are none: their squares are no numbers. length/s.
@@ -119,6 +119,7 @@ pub fn check(scene: &Scene, trace: &Trace) -> Laws {
     }
     // how near is near enough for an impact is decided before a run, by its longest way
     let place = Run::of(scene, trace).rounding(scene.duration);
+    let contacts = Contacts::of(trace);
     let mut audit = Audit {
         scene,
         trace,
@@ -126,12 +127,12 @@ pub fn check(scene: &Scene, trace: &Trace) -> Laws {
         place,
         step: trace.provenance.resolution,
         rounded: trace.provenance.ulp != f64::EPSILON,
-        closed: if trace.provenance.resolution > 0.0 {
+        closed: if contacts.is_empty() {
             0.0
         } else {
             CLOSED_ULPS * f64::EPSILON * scene.largest_coordinate()
         },
-        contacts: Contacts::of(trace),
+        contacts,
         found: Laws::default(),
     };
     audit.events();

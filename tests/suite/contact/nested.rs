@@ -2,6 +2,7 @@
 
 use carom::engine::Limits;
 use carom::engine::exact::solve_following;
+use carom::physics::State;
 use carom::scene::perturb::{Law, Perturbation};
 use carom::scene::{Scene, parse};
 use carom::study::random::{check, scene};
@@ -57,7 +58,7 @@ fn a_soft_break_goes_on_through_nested_limits_to_rest_and_gains_nothing() {
 
 #[test]
 fn friction_that_turns_pressed_balls_back_and_forth_gives_them_nothing() {
-    // ten balls in a row that touch, every third of which rolls: the others slide, and rub on it with a slip that soon vanishes. A series that is followed
+    // ten balls in a row that touch, of which four roll: the others slide, and rub on them with a slip that soon vanishes. A series that is followed
     // beyond where the slip does turns them out of nothing
     let scene = random(101, 45);
     let trace = solve_following::<f64>(&scene, &budget()).trace;
@@ -68,8 +69,21 @@ fn friction_that_turns_pressed_balls_back_and_forth_gives_them_nothing() {
 }
 
 #[test]
+fn balls_keep_their_numbers_where_a_contact_takes_all_of_a_speed_and_where_a_slip_soon_vanishes() {
+    // one rolls into a cushion as slowly as rounding, and no longer rolls anywhere; three others rub with a slip that lasts some 1e-14 s, and the
+    // coefficients of their series grow beyond the range of numbers
+    let scene = random(102, 369);
+    let trace = solve_following::<f64>(&scene, &budget()).trace;
+    let numbers = |state: &State| state.position.iter().all(|x| x.is_finite());
+    for (ball, path) in trace.paths.iter().enumerate() {
+        let strange = path.knots.iter().find(|knot| !numbers(&knot.state));
+        assert!(strange.is_none(), "ball {ball}: {strange:?}");
+    }
+}
+
+#[test]
 fn a_gap_that_closes_by_its_rate_alone_is_not_closed_before() {
-    // balls held to a cushion on a cloth with a friction of 15000, and others that fly at them: a bound of the acceleration far above what is at work
+    // a ball that rolls along a cushion, and others that fly at it: no acceleration is above 1e-28, which is nothing beside the speeds
     let scene = random(100, 165);
     let trace = solve_following::<f64>(&scene, &budget()).trace;
     let hits = trace.collisions().filter_map(|event| match event.kind {
@@ -85,7 +99,7 @@ fn a_gap_that_closes_by_its_rate_alone_is_not_closed_before() {
         let apart = (p - q).norm();
         let touch = scene.balls[a].radius + scene.balls[b].radius;
         assert!(
-            (apart - touch).abs() <= 1e-9,
+            (apart - touch).abs() <= scene.touching(),
             "{a} and {b} at {time} s: {apart}"
         );
         held += 1;

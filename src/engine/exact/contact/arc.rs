@@ -21,11 +21,12 @@ const LEFT_OUT: f64 = 0.5;
 /// Places at which a monitor is looked at within a stretch.
 const LOOKS: usize = 8;
 
-/// A slip or a speed that turns while it ends is over when it is no more than this many roundings of the fastest.
-const OVER: f64 = 64.0;
-
 /// The sizes of all terms of a velocity add up to no more than this many times the fastest ball's speed.
 const BEYOND: f64 = 4.0;
+
+/// Units of time that are tried, each this part of the one before.
+const UNITS: usize = 24;
+const SHORTER: f64 = 1e-3;
 
 /// Bisections and Newton steps, at most, for one root.
 const STEPS: usize = 400;
@@ -115,12 +116,8 @@ pub struct Arc<T> {
 impl<T: Real> Arc<T> {
     /// The next stretch of a group, no longer than `most`, s.
     pub fn of(world: &World<T>, group: &Group<T>, most: T) -> Self {
-        let mut equations = group.equations(world);
-        let unit = pace(world, &equations);
         let most = most.at_most(world.longest);
-        equations
-            .tape
-            .extend(orders(world, (most / unit).to_f64()), unit);
+        let (equations, unit) = solved(world, group, most);
         let tape = &equations.tape;
         let mut length = most / unit;
         let speed = world.fastest.to_f64();
@@ -209,6 +206,28 @@ impl<T: Real> Arc<T> {
             }
         }
         states
+    }
+}
+
+/// The equations of a group with their series, and the unit of its time, s. Where a slip soon vanishes a coefficient can leave the range of numbers: then in
+/// a shorter unit.
+fn solved<T: Real>(world: &World<T>, group: &Group<T>, most: T) -> (Equations<T>, T) {
+    let mut equations = group.equations(world);
+    let mut unit = pace(world, &equations);
+    let mut tries = UNITS;
+    loop {
+        equations
+            .tape
+            .extend(orders(world, (most / unit).to_f64()), unit);
+        let mut nodes = equations.velocity.iter().flatten();
+        let mut spins = equations.spin.iter().flatten();
+        let numbers = |node: &Node| equations.tape.series(*node).iter().all(|c| c.is_finite());
+        if tries == 0 || (nodes.all(numbers) && spins.all(numbers)) {
+            return (equations, unit);
+        }
+        tries -= 1;
+        equations = group.equations(world);
+        unit *= T::lift(SHORTER);
     }
 }
 
@@ -306,7 +325,7 @@ fn root<T: Real>(series: &[T], mut low: T, mut high: T) -> T {
 
 /// Slips and speeds that are over, but for rounding, at the end of a stretch: those that turn while they end never fall to zero in a series.
 fn over<T: Real>(world: &World<T>, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
-    let none = world.blur.speed * T::lift(OVER * (world.accuracy / T::ULP));
+    let none = world.over();
     let ended = watched.iter().filter(|(change, series)| {
         matches!(change, Change::Rolls(_) | Change::Stops(_)) && at(series, length) <= none
     });

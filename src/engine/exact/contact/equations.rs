@@ -345,7 +345,7 @@ impl<'a, T: Real> Writer<'a, T> {
             self.tape.difference(up, down),
         ];
         let square = self.dot(&slip, &slip);
-        let still = self.world.blur.speed * T::lift(64.0);
+        let still = self.world.over();
         if self.tape.value(square) <= still * still {
             return None;
         }

@@ -63,6 +63,15 @@ pub enum Touch {
 }
 
 impl Touch {
+    /// The touch of an encounter; `None` if a party is no member.
+    pub fn of<T>(encounter: Encounter, members: &[Member<T>]) -> Option<Self> {
+        let place = |ball: usize| members.iter().position(|m| m.ball == ball);
+        Some(match encounter {
+            Encounter::Pair(a, b) => Touch::Pair(place(a)?, place(b)?),
+            Encounter::Cushion(a, side) => Touch::Cushion(place(a)?, side),
+        })
+    }
+
     /// The same by balls.
     pub fn encounter<T>(self, members: &[Member<T>]) -> Encounter {
         match self {
@@ -126,6 +135,11 @@ pub enum Change {
 }
 
 impl<T: Real> Group<T> {
+    /// Who touches whom.
+    pub fn touches(&self) -> Vec<Touch> {
+        self.holds.iter().map(|hold| hold.touch).collect()
+    }
+
     /// The contacts that carry a force.
     pub fn pressed(&self) -> Vec<usize> {
         (0..self.holds.len())

@@ -3,7 +3,7 @@
 use super::decide::settle;
 use super::group::{Group, Hold, Member, Mode, Touch};
 use crate::engine::exact::agenda::Agenda;
-use crate::engine::exact::encounter::Encounter;
+use crate::engine::exact::encounter::{Encounter, rate_between, rate_to};
 use crate::engine::exact::kinematics::Kinematics;
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
@@ -15,6 +15,9 @@ pub const STEADY: f64 = 64.0;
 
 /// Rounds in which what is left of approach and parting is taken out of contacts that share balls.
 const ROUNDS: usize = 200;
+
+/// What is left of a gap or an approach is none at this part of the rounding of the farthest or the fastest ball.
+const ULPS: f64 = 0.125;
 
 /// What counts as touching without closing in.
 #[derive(Clone, Copy, Debug)]
@@ -34,9 +37,6 @@ impl<T: Real> Steady<T> {
         }
     }
 }
-
-/// What is left of an approach is none at this part of the rounding of the fastest ball.
-const ULPS: f64 = 0.125;
 
 /// Balls that touch, taken out of their courses.
 pub struct Gathered<T> {
@@ -69,40 +69,11 @@ impl<T: Real> Touched<T> {
     }
 }
 
-/// Rate of the gap of two balls, length/s.
-pub fn rate_between<T: Real>(one: &Moving<T>, other: &Moving<T>) -> T {
-    let p = [0, 1].map(|i| other.position[i] - one.position[i]);
-    let v = [0, 1].map(|i| other.velocity[i] - one.velocity[i]);
-    (p[0] * v[0] + p[1] * v[1]) / (p[0] * p[0] + p[1] * p[1]).sqrt()
-}
-
-/// Rate of the gap of a ball to a cushion, length/s.
-pub fn rate_to<T: Real>(moving: &Moving<T>, side: Side) -> T {
-    let v = moving.velocity[side.axis()];
-    if side.sign() < 0 { v } else { -v }
-}
-
 /// Rate of the gap of two parties, length/s.
 pub fn rate<T: Real>(members: &[Member<T>], touch: Touch) -> T {
     match touch {
         Touch::Pair(a, b) => rate_between(&members[a].moving, &members[b].moving),
         Touch::Cushion(a, side) => rate_to(&members[a].moving, side),
-    }
-}
-
-/// The gap of two parties now, length; negative where they overlap.
-pub fn gap<T: Real>(balls: &Kinematics<'_, T>, encounter: Encounter) -> T {
-    let world = balls.world();
-    match encounter {
-        Encounter::Pair(a, b) => {
-            let (p, q) = (balls.place(a), balls.place(b));
-            let [x, y] = [0, 1].map(|i| q[i] - p[i]);
-            (x * x + y * y).sqrt() - world.distance(a, b)
-        }
-        Encounter::Cushion(a, side) => {
-            let beyond = world.reach[a][side as usize] - balls.place(a)[side.axis()];
-            if side.sign() < 0 { -beyond } else { beyond }
-        }
     }
 }
 
@@ -113,35 +84,22 @@ pub fn touching<T: Real>(
     ball: usize,
     steady: &Steady<T>,
 ) -> Vec<Encounter> {
-    let world = balls.world();
-    let Steady { near: gap, slow } = *steady;
-    let own = balls.moving(ball);
+    let touches = |encounter: &Encounter| {
+        balls.gap(*encounter) <= steady.near
+            && balls.rate(*encounter).abs() <= steady.slow
+            && !balls.is_parting(*encounter)
+    };
     let mut found = Vec::new();
-    if world.contact.is_some() {
-        for other in agenda.neighbours(balls, ball, gap) {
-            if other == ball {
-                continue;
-            }
-            let there = balls.moving(other);
-            let p = [0, 1].map(|i| there.position[i] - own.position[i]);
-            let apart = (p[0] * p[0] + p[1] * p[1]).sqrt();
-            let rate = rate_between(&own, &there);
-            let pair = Encounter::Pair(ball.min(other), ball.max(other));
-            let near = apart <= world.distance(ball, other) + gap;
-            if near && rate.abs() <= slow && !balls.is_parting(pair) {
-                found.push(pair);
-            }
-        }
+    if balls.world().contact.is_some() {
+        let near = agenda.neighbours(balls, ball, steady.near).into_iter();
+        let others = near.filter(|other| *other != ball);
+        let pairs = others.map(|other| Encounter::Pair(ball.min(other), ball.max(other)));
+        found.extend(pairs.filter(touches));
     }
-    if let Some(reach) = world.reach.get(ball) {
-        for side in Side::ALL {
-            let apart = (reach[side as usize] - own.position[side.axis()]).abs();
-            let encounter = Encounter::Cushion(ball, side);
-            let near = apart <= gap && rate_to(&own, side).abs() <= slow;
-            if near && !balls.is_parting(encounter) {
-                found.push(encounter);
-            }
-        }
+    if balls.world().reach.get(ball).is_some() {
+        let sides = Side::ALL.into_iter();
+        let cushions = sides.map(|side| Encounter::Cushion(ball, side));
+        found.extend(cushions.filter(touches));
     }
     found
 }
@@ -182,52 +140,58 @@ pub fn components<T: Real>(whole: &Group<T>) -> Vec<Group<T>> {
     groups
 }
 
-/// Takes the rounding of a stretch out of the gaps of a group: no gap opens or closes, and none has changed.
-pub fn keep_contacts<T: Real>(world: &World<T>, group: &Group<T>, states: &mut [Moving<T>]) {
-    let holds = group.holds.iter();
-    let named: Vec<Encounter> = holds.map(|h| h.touch.encounter(&group.members)).collect();
-    let balls = group.members.iter().map(|m| m.ball);
-    let mut placed: Vec<(usize, Moving<T>)> = balls.zip(states.iter().copied()).collect();
-    close_gaps(world, &named, &mut placed);
-    for (state, (_, placed)) in states.iter_mut().zip(placed) {
-        *state = placed;
-    }
-    for hold in &group.holds {
-        match hold.touch {
-            Touch::Cushion(a, side) => states[a].velocity[side.axis()] = T::zero(),
-            Touch::Pair(a, b) => {
-                let (ma, mb) = (
-                    world.mass[group.members[a].ball],
-                    world.mass[group.members[b].ball],
-                );
-                let rests = |i: usize| group.members[i].mode == Mode::Rests;
-                // a ball at rest takes no part in it
-                let share = match (rests(a), rests(b)) {
-                    (false, false) => mb / (ma + mb),
-                    (true, false) => T::zero(),
-                    _ => T::one(),
-                };
-                let (one, other) = (states[a], states[b]);
-                let p = [0, 1].map(|i| other.position[i] - one.position[i]);
-                let v = [0, 1].map(|i| other.velocity[i] - one.velocity[i]);
-                let square = p[0] * p[0] + p[1] * p[1];
-                let along = (p[0] * v[0] + p[1] * v[1]) / square;
-                for (i, p) in p.into_iter().enumerate() {
-                    states[a].velocity[i] += p * along * share;
-                    states[b].velocity[i] -= p * along * (T::one() - share);
-                }
-            }
-        }
-    }
-    for (m, state) in group.members.iter().zip(states) {
-        settle(world.radius[m.ball], m.mode, state);
-    }
+/// Puts balls to contact and in step: no gap is open or closed, and none changes.
+pub fn keep_contacts<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
+    close_gaps(world, members, touches);
+    calm(world, members, touches);
 }
 
 /// Takes out of balls what is left of approach and parting of contacts, by impulses along them to which each ball answers as what it does lets it: the
 /// nearest velocities by kinetic energy, which it never raises.
 pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
-    let answers = |m: &Member<T>| {
+    let none = world.blur.speed * T::lift(ULPS);
+    even_out(world, members, touches, none, rate, |moving| {
+        &mut moving.velocity
+    });
+    for m in members {
+        // what rolled or dragged by no more than that rests: nothing has a direction any more
+        let stands = m.moving.velocity == [T::zero(); 2];
+        if stands && matches!(m.mode, Mode::Rolls | Mode::Drags) {
+            m.mode = Mode::Rests;
+        }
+        settle(world.radius[m.ball], m.mode, &mut m.moving);
+    }
+}
+
+/// Moves balls so that contacts are at contact; those that rest where others do not stay.
+pub fn close_gaps<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
+    let none = world.blur.length * T::lift(ULPS);
+    let gap = |members: &[Member<T>], touch: Touch| match touch {
+        Touch::Pair(a, b) => {
+            let [x, y] = between(members, a, b);
+            (x * x + y * y).sqrt() - world.distance(members[a].ball, members[b].ball)
+        }
+        Touch::Cushion(a, side) => {
+            let Member { ball, moving, .. } = &members[a];
+            let beyond = world.reach[*ball][side as usize] - moving.position[side.axis()];
+            if side.sign() < 0 { -beyond } else { beyond }
+        }
+    };
+    even_out(world, members, touches, none, gap, |moving| {
+        &mut moving.position
+    });
+}
+
+/// Takes out what contacts are `off` by, one after the other, until no more than `none` is left: each party gives by its part of the mass that answers.
+fn even_out<T: Real>(
+    world: &World<T>,
+    members: &mut [Member<T>],
+    touches: &[Touch],
+    none: T,
+    off: impl Fn(&[Member<T>], Touch) -> T,
+    part: impl Fn(&mut Moving<T>) -> &mut [T; 2],
+) {
+    let gives = |m: &Member<T>| {
         let part = match m.mode {
             Mode::Rests => T::zero(),
             Mode::Rolls => T::lift(5.0) / T::lift(7.0),
@@ -236,90 +200,47 @@ pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Tou
         part / world.mass[m.ball]
     };
     for _ in 0..ROUNDS {
-        let mut fastest = T::zero();
+        let mut most = T::zero();
         for touch in touches {
-            let rate = rate(members, *touch);
-            fastest = fastest.at_least(rate.abs());
+            let off = off(members, *touch);
+            most = most.at_least(off.abs());
             let (first, second, n) = match *touch {
                 Touch::Cushion(a, side) => {
                     let mut n = [T::zero(); 2];
-                    // against the way in which the rate counts
-                    n[side.axis()] = if side.sign() < 0 { -T::one() } else { T::one() };
+                    n[side.axis()] = T::lift(f64::from(side.sign()));
                     (a, None, n)
                 }
                 Touch::Pair(a, b) => {
-                    let (one, other) = (members[a].moving.position, members[b].moving.position);
-                    let p = [0, 1].map(|k| other[k] - one[k]);
+                    let p = between(members, a, b);
                     let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
                     (a, Some(b), p.map(|p| p / size))
                 }
             };
-            let one = answers(&members[first]);
-            let other = second.map_or(T::zero(), |b| answers(&members[b]));
-            if one + other == T::zero() {
-                continue;
-            }
-            let impulse = rate / (one + other);
+            let one = gives(&members[first]);
+            let other = second.map_or(T::zero(), |b| gives(&members[b]));
+            // where all rest, only places can be off
+            let (one, other) = if one + other == T::zero() {
+                let lightness = |m: usize| T::one() / world.mass[members[m].ball];
+                (lightness(first), second.map_or(T::zero(), lightness))
+            } else {
+                (one, other)
+            };
+            let push = off / (one + other);
             for (k, n) in n.into_iter().enumerate() {
-                members[first].moving.velocity[k] += n * impulse * one;
+                part(&mut members[first].moving)[k] += n * push * one;
                 if let Some(b) = second {
-                    members[b].moving.velocity[k] -= n * impulse * other;
+                    part(&mut members[b].moving)[k] -= n * push * other;
                 }
             }
         }
-        if fastest <= world.blur.speed * T::lift(ULPS) {
-            break;
-        }
-    }
-    for m in members {
-        settle(world.radius[m.ball], m.mode, &mut m.moving);
-    }
-}
-
-/// Moves balls so that encounters are at contact; those that rest where others do not stay.
-pub fn close_gaps<T: Real>(
-    world: &World<T>,
-    encounters: &[Encounter],
-    states: &mut [(usize, Moving<T>)],
-) {
-    let two = T::lift(2.0);
-    for _ in 0..ROUNDS {
-        let mut farthest = T::zero();
-        for encounter in encounters {
-            let place = |ball: usize| states.iter().position(|(b, _)| *b == ball);
-            match *encounter {
-                Encounter::Cushion(a, side) => {
-                    if let Some(a) = place(a) {
-                        let (ball, state) = &mut states[a];
-                        state.position[side.axis()] = world.reach[*ball][side as usize];
-                    }
-                }
-                Encounter::Pair(a, b) => {
-                    let (Some(i), Some(j)) = (place(a), place(b)) else {
-                        continue;
-                    };
-                    let (one, other) = (states[i].1, states[j].1);
-                    let rests = |m: &Moving<T>| m.velocity == [T::zero(); 2];
-                    let share = match (rests(&one), rests(&other)) {
-                        (true, false) => T::zero(),
-                        (false, true) => T::one(),
-                        _ => world.mass[b] / (world.mass[a] + world.mass[b]),
-                    };
-                    let p = [0, 1].map(|k| other.position[k] - one.position[k]);
-                    let square = p[0] * p[0] + p[1] * p[1];
-                    let distance = world.distance(a, b);
-                    // the gap in parts of the distance, by a Newton step for its square
-                    let gap = (square - distance * distance) / (square * two);
-                    farthest = farthest.at_least(gap.abs());
-                    for (k, p) in p.into_iter().enumerate() {
-                        states[i].1.position[k] += p * gap * share;
-                        states[j].1.position[k] -= p * gap * (T::one() - share);
-                    }
-                }
-            }
-        }
-        if farthest <= T::lift(T::ULP) {
+        if most <= none {
             return;
         }
     }
+}
+
+/// From the centre of one member to that of another.
+fn between<T: Real>(members: &[Member<T>], a: usize, b: usize) -> [T; 2] {
+    let (one, other) = (members[a].moving.position, members[b].moving.position);
+    [0, 1].map(|k| other[k] - one[k])
 }
