@@ -5,7 +5,7 @@ use crate::finding::Hold;
 use crate::math::worse;
 use crate::physics::State;
 use crate::scene::Scene;
-use crate::trace::Trace;
+use crate::trace::{Contacts, Trace, UNEXPLAINED_IN_CONTACT};
 use parry3d_f64::math::Pose;
 use parry3d_f64::query::contact;
 use parry3d_f64::shape::Ball;
@@ -67,8 +67,18 @@ pub fn worst_overlap(
             _ => f64::INFINITY,
         })
         .collect();
+    let contacts = Contacts::of(trace);
     let (mut worst, mut share) = (None, 0.0);
     for time in times {
+        // between knots of its own a ball in contact is elsewhere than they say, by so much
+        let unexplained = |ball: usize| {
+            let own = knots(ball).binary_search_by(|knot| knot.time.total_cmp(&time));
+            if own.is_err() && contacts.during(ball, [time; 2]) {
+                UNEXPLAINED_IN_CONTACT * scene.balls[ball].radius
+            } else {
+                0.0
+            }
+        };
         let states: Vec<Option<State>> = (0..shapes.len())
             .map(|ball| {
                 let state = || trace.paths[ball].state_at(time);
@@ -76,7 +86,8 @@ pub fn worst_overlap(
             })
             .collect();
         for (balls, depth) in overlaps_at(&shapes, &states) {
-            let part = depth / allowed(balls.0, balls.1);
+            let depth = depth - unexplained(balls.0) - unexplained(balls.1);
+            let part = (depth / allowed(balls.0, balls.1)).max(0.0);
             if worse(part, share).to_bits() != share.to_bits() {
                 (worst, share) = (Some(Overlap { balls, time, depth }), part);
             }

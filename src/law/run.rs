@@ -76,14 +76,25 @@ impl<'a> Run<'a> {
     /// What the position of a ball is good to up to `time`, s; length.
     ///
     /// [`Scene::position_uncertainty_within`] with the spacing of the engine's numbers, and the largest coordinate of scene and trace, heights
-    /// included.
+    /// included; and what is closed where contacts begin.
     pub fn rounding(&self, time: f64) -> f64 {
         let knots = self.trace.paths.iter().flat_map(|path| &path.knots);
         let extent = knots.fold(self.scene.largest_coordinate(), |largest, knot| {
             worse(largest, knot.state.position.amax())
         });
         let coarser = 8.0 * (self.ulp - f64::EPSILON) * (extent + self.scene.fastest() * time);
-        self.scene.position_uncertainty_within(extent, time) + coarser
+        self.scene.position_uncertainty_within(extent, time) + coarser + self.closed()
+    }
+
+    /// How far balls are moved where a contact begins, length: a gap that counts as none is closed, and in a row of balls those add up. What an approach that
+    /// is nothing leaves of a gap is no more than a few times what counts as touching.
+    pub fn closed(&self) -> f64 {
+        const LEFT: f64 = 4.0;
+        if self.trace.follows_contacts() {
+            LEFT * self.scene.touching() * self.scene.balls.len() as f64
+        } else {
+            0.0
+        }
     }
 
     /// How far rounding and a step carry balls: computed once for the bounds that are made of it.

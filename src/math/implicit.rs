@@ -7,6 +7,7 @@
 
 use super::Real;
 use super::extrapolation::{Step, extrapolate};
+use super::linear::Factors;
 
 /// The solution of `dy/dx = rate(y)` from `start` over `length`; `None` if its error stays above `tolerance`, absolute, within `rows` rows.
 ///
@@ -73,70 +74,18 @@ fn substeps<T: Real>(
             }
         }
     }
-    let pivots = decompose(&mut system)?;
+    let factors = Factors::of(system, T::zero())?;
     // the sum of the changes apart from the start, which has fewer digits left for them
     let mut changed = vec![T::zero(); n];
     for _ in 0..substeps {
         let now: Vec<T> = start.iter().zip(&changed).map(|(x, dx)| *x + *dx).collect();
         let mut change: Vec<T> = rate(&now).into_iter().map(|rate| rate * h).collect();
-        solve(&system, &pivots, &mut change);
+        factors.solve(&mut change);
         for (sum, change) in changed.iter_mut().zip(change) {
             *sum += change;
         }
     }
     Some(start.iter().zip(&changed).map(|(x, dx)| *x + *dx).collect())
-}
-
-/// Triangular factors in place, with the rows that were exchanged; `None` if the matrix has none.
-fn decompose<T: Real>(system: &mut [Vec<T>]) -> Option<Vec<usize>> {
-    let n = system.len();
-    let mut pivots = Vec::with_capacity(n);
-    for k in 0..n {
-        let mut pivot = k;
-        for i in k + 1..n {
-            if system[i][k].abs() > system[pivot][k].abs() {
-                pivot = i;
-            }
-        }
-        system.swap(k, pivot);
-        pivots.push(pivot);
-        let (above, below) = system.split_at_mut(k + 1);
-        let top = &above[k];
-        if top[k].is_zero() || !top[k].is_finite() {
-            return None;
-        }
-        for row in below {
-            let factor = row[k] / top[k];
-            row[k] = factor;
-            if !factor.is_zero() {
-                for (entry, of_top) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
-                    *entry -= factor * *of_top;
-                }
-            }
-        }
-    }
-    Some(pivots)
-}
-
-/// The solution of a system with these factors, in place of its right side.
-fn solve<T: Real>(system: &[Vec<T>], pivots: &[usize], right: &mut [T]) {
-    let n = right.len();
-    for (k, pivot) in pivots.iter().enumerate() {
-        right.swap(k, *pivot);
-    }
-    for i in 0..n {
-        for k in 0..i {
-            let known = system[i][k] * right[k];
-            right[i] -= known;
-        }
-    }
-    for i in (0..n).rev() {
-        for k in i + 1..n {
-            let known = system[i][k] * right[k];
-            right[i] -= known;
-        }
-        right[i] /= system[i][i];
-    }
 }
 
 #[cfg(test)]

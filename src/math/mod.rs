@@ -1,5 +1,5 @@
 //! Numbers without physics: scalars, vectors, the first root of a contact quartic, points sorted into squares and close pairs of them,
-//! power series of differential equations, statistics, seeded random numbers.
+//! linear systems, power series of differential equations, statistics, seeded random numbers.
 
 pub mod angle;
 pub mod double_double;
@@ -8,6 +8,7 @@ pub mod extrapolation;
 pub mod first_root;
 pub mod grid;
 pub mod implicit;
+pub mod linear;
 mod machine;
 pub mod near;
 mod octuple;

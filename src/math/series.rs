@@ -7,6 +7,7 @@
 //! the scalar.
 
 use super::Real;
+use super::linear::Factors;
 
 /// A value on a tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,8 @@ pub struct Node(usize);
 /// How a value comes about.
 #[derive(Clone, Copy, Debug)]
 enum Operation<T> {
+    /// A number that does not change.
+    Constant,
     /// What is given at order 0; its derivative is another node, if it changes at all.
     Input(Option<Node>),
     Sum(Node, Node),
@@ -24,6 +27,20 @@ enum Operation<T> {
     Multiple(Node, T),
     Root(Node),
     Exponential(Node),
+    /// The unknown of a linear system with this place.
+    Unknown(usize, usize),
+}
+
+/// A linear system between nodes.
+#[derive(Clone, Debug)]
+struct System<T> {
+    /// What of each row is not nothing, by place.
+    rows: Vec<Vec<(usize, Node)>>,
+    right: Vec<Node>,
+    /// Of the rows at time 0; `None` where they have no single solution.
+    factors: Option<Factors<T>>,
+    /// The first unknown; the others follow.
+    first: usize,
 }
 
 /// A right-hand side and the series of everything in it.
@@ -32,6 +49,7 @@ pub struct Tape<T> {
     operations: Vec<Operation<T>>,
     /// Coefficients of each node, by order.
     series: Vec<Vec<T>>,
+    systems: Vec<System<T>>,
 }
 
 impl<T: Real> Tape<T> {
@@ -40,6 +58,7 @@ impl<T: Real> Tape<T> {
         Tape {
             operations: Vec::new(),
             series: Vec::new(),
+            systems: Vec::new(),
         }
     }
 
@@ -59,9 +78,18 @@ impl<T: Real> Tape<T> {
         self.add(Operation::Input(None), vec![value])
     }
 
-    /// A number that does not change.
+    /// A number that does not change. What is made of such numbers only does not change either, and what is nothing leaves no operation behind.
     pub fn constant(&mut self, value: T) -> Node {
-        self.input(value)
+        self.add(Operation::Constant, vec![value])
+    }
+
+    /// The number, if a node is one that does not change.
+    fn number(&self, node: Node) -> Option<T> {
+        matches!(self.operations[node.0], Operation::Constant).then(|| self.value(node))
+    }
+
+    fn is_nothing(&self, node: Node) -> bool {
+        self.number(node).is_some_and(|value| value == T::zero())
     }
 
     /// Says what the derivative of an input is.
@@ -73,37 +101,107 @@ impl<T: Real> Tape<T> {
 
     /// a + b.
     pub fn sum(&mut self, a: Node, b: Node) -> Node {
-        self.add(Operation::Sum(a, b), Vec::new())
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => self.constant(a + b),
+            _ if self.is_nothing(a) => b,
+            _ if self.is_nothing(b) => a,
+            _ => self.add(Operation::Sum(a, b), Vec::new()),
+        }
     }
 
     /// a - b.
     pub fn difference(&mut self, a: Node, b: Node) -> Node {
-        self.add(Operation::Difference(a, b), Vec::new())
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => self.constant(a - b),
+            _ if self.is_nothing(a) => self.multiple(b, -T::one()),
+            _ if self.is_nothing(b) => a,
+            _ => self.add(Operation::Difference(a, b), Vec::new()),
+        }
     }
 
     /// a b.
     pub fn product(&mut self, a: Node, b: Node) -> Node {
-        self.add(Operation::Product(a, b), Vec::new())
+        match (self.number(a), self.number(b)) {
+            (Some(a), _) => self.multiple(b, a),
+            (_, Some(b)) => self.multiple(a, b),
+            _ => self.add(Operation::Product(a, b), Vec::new()),
+        }
     }
 
     /// a / b; b is not 0 at time 0.
     pub fn quotient(&mut self, a: Node, b: Node) -> Node {
-        self.add(Operation::Quotient(a, b), Vec::new())
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => self.constant(a / b),
+            _ if self.is_nothing(a) => a,
+            _ => self.add(Operation::Quotient(a, b), Vec::new()),
+        }
     }
 
     /// a times a number.
     pub fn multiple(&mut self, a: Node, factor: T) -> Node {
-        self.add(Operation::Multiple(a, factor), Vec::new())
+        match self.number(a) {
+            Some(a) => self.constant(a * factor),
+            _ if factor == T::zero() => self.constant(factor),
+            _ => self.add(Operation::Multiple(a, factor), Vec::new()),
+        }
     }
 
     /// Square root; a is positive at time 0.
     pub fn root(&mut self, a: Node) -> Node {
-        self.add(Operation::Root(a), Vec::new())
+        match self.number(a) {
+            Some(a) => self.constant(a.sqrt()),
+            None => self.add(Operation::Root(a), Vec::new()),
+        }
     }
 
     /// e to the power of a.
     pub fn exponential(&mut self, a: Node) -> Node {
         self.add(Operation::Exponential(a), Vec::new())
+    }
+
+    /// What solves a linear system, whose matrix is given by rows.
+    pub fn solution(&mut self, rows: &[Vec<Node>], right: &[Node]) -> Vec<Node> {
+        let values = rows
+            .iter()
+            .map(|row| row.iter().map(|node| self.value(*node)).collect());
+        let factors = Factors::of(values.collect(), T::zero());
+        let told = rows.iter().map(|row| {
+            let told = row.iter().copied().enumerate();
+            told.filter(|(_, node)| !self.is_nothing(*node)).collect()
+        });
+        let system = System {
+            rows: told.collect(),
+            right: right.to_vec(),
+            factors,
+            first: self.operations.len(),
+        };
+        let values = self.unknowns(&system, 0);
+        self.systems.push(system);
+        let place = self.systems.len() - 1;
+        let unknowns = values.into_iter().enumerate();
+        unknowns
+            .map(|(i, value)| self.add(Operation::Unknown(place, i), vec![value]))
+            .collect()
+    }
+
+    /// The coefficients of order `k` of the unknowns of a system, all of whose lower ones are known.
+    fn unknowns(&self, system: &System<T>, k: usize) -> Vec<T> {
+        let Some(factors) = &system.factors else {
+            return vec![T::lift(f64::NAN); system.right.len()];
+        };
+        let left = system.rows.iter().zip(&system.right).map(|(row, right)| {
+            let mut left = self.series[right.0][k];
+            for (i, node) in row {
+                let matrix = self.series[node.0].iter().enumerate();
+                for (j, entry) in matrix.skip(1).take(k) {
+                    left -= *entry * self.series[system.first + i][k - j];
+                }
+            }
+            left
+        });
+        let mut left: Vec<T> = left.collect();
+        factors.solve(&mut left);
+        left
     }
 
     /// The value of a node at time 0.
@@ -133,7 +231,18 @@ impl<T: Real> Tape<T> {
                 }
             }
             for node in 0..self.operations.len() {
-                if self.series[node].len() == order {
+                if self.series[node].len() != order {
+                    continue;
+                }
+                if let Operation::Unknown(system, 0) = self.operations[node] {
+                    for (i, next) in self
+                        .unknowns(&self.systems[system], order)
+                        .into_iter()
+                        .enumerate()
+                    {
+                        self.series[node + i].push(next);
+                    }
+                } else {
                     let next = self.coefficient(node, order);
                     self.series[node].push(next);
                 }
@@ -152,7 +261,8 @@ impl<T: Real> Tape<T> {
             sum
         };
         match self.operations[node] {
-            Operation::Input(_) => T::zero(),
+            // inputs follow from their rates, unknowns all together
+            Operation::Constant | Operation::Input(_) | Operation::Unknown(..) => T::zero(),
             Operation::Sum(a, b) => of(a)[k] + of(b)[k],
             Operation::Difference(a, b) => of(a)[k] - of(b)[k],
             Operation::Product(a, b) => convolved(of(a), of(b), 0..k + 1),
@@ -265,6 +375,27 @@ mod tests {
         for (got, want) in [(r * r, y), (q * y, h), (z, (h / y).exp())] {
             let error = (got - want).to_f64().abs();
             assert!(error < 1e-68, "{error:e}");
+        }
+    }
+
+    #[test]
+    fn unknowns_of_a_linear_system_solve_it_at_all_times() {
+        // (1 + t) a + t b = 1, 2 a - b = exp t, rows that need exchanging at time 0 for none
+        let mut tape = Tape::<DoubleDouble>::new();
+        let number = |x: f64| DoubleDouble::lift(x);
+        let (one, two) = (tape.constant(number(1.0)), tape.constant(number(2.0)));
+        let t = tape.input(number(0.0));
+        tape.derive(t, one);
+        let (up, minus) = (tape.sum(one, t), tape.constant(number(-1.0)));
+        let power = tape.exponential(t);
+        let found = tape.solution(&[vec![up, t], vec![two, minus]], &[one, power]);
+        tape.extend(40, number(1.0));
+        let h = number(0.015625);
+        let [a, b] = [0, 1].map(|i| at(tape.series(found[i]), h));
+        let first = (number(1.0) + h) * a + h * b - number(1.0);
+        let second = number(2.0) * a - b - at(tape.series(power), h);
+        for error in [first, second] {
+            assert!(error.to_f64().abs() < 1e-30, "{:e}", error.to_f64());
         }
     }
 

@@ -1,6 +1,6 @@
 //! When balls are in contact, as a trace tells.
 
-use super::{EventKind, Partner, Trace};
+use super::{Counter, Event, EventKind, Partner, Trace};
 use std::collections::HashMap;
 
 /// A ball in contact moves as no parabola does: what its knots leave unexplained between them, in radii, at most.
@@ -11,6 +11,14 @@ pub const UNEXPLAINED_IN_CONTACT: f64 = 1e-9;
 pub struct Contacts {
     /// By ball: begin and end, s; one that has not ended ends after the run.
     spans: Vec<Vec<[f64; 2]>>,
+}
+
+impl Trace {
+    /// Whether the run followed balls into contact, or impacts that shrink to it.
+    pub fn follows_contacts(&self) -> bool {
+        let begins = |event: &Event| matches!(event.kind, EventKind::ContactBegin(..));
+        self.counters.contains_key(Counter::Handovers.id()) || self.events.iter().any(begins)
+    }
 }
 
 impl Contacts {

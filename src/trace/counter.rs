@@ -31,13 +31,15 @@ pub enum Counter {
     CellLayouts,
     /// Searches for the first root of a contact.
     RootCalls,
+    /// Times that a scalar with more digits took over, until impacts that shrink were over.
+    Handovers,
     /// Bits of the scalar in which the run was decided.
     Bits,
 }
 
 impl Counter {
     /// Every counter.
-    pub const ALL: [Counter; 15] = [
+    pub const ALL: [Counter; 16] = [
         Counter::Steps,
         Counter::Substeps,
         Counter::Contacts,
@@ -52,6 +54,7 @@ impl Counter {
         Counter::CellCrossings,
         Counter::CellLayouts,
         Counter::RootCalls,
+        Counter::Handovers,
         Counter::Bits,
     ];
 
@@ -72,6 +75,7 @@ impl Counter {
             Counter::CellCrossings => "cell_crossings",
             Counter::CellLayouts => "cell_layouts",
             Counter::RootCalls => "root_calls",
+            Counter::Handovers => "handovers",
             Counter::Bits => "bits",
         }
     }
@@ -97,6 +101,9 @@ impl Counter {
             Counter::CellCrossings => "times that a ball entered another cell of the plane",
             Counter::CellLayouts => "times that the plane was divided into cells",
             Counter::RootCalls => "searches for the first root of a contact",
+            Counter::Handovers => {
+                "times that a scalar with more digits took over, until impacts that shrink were over"
+            }
             Counter::Bits => "bits of the scalar in which the run was decided",
         }
     }

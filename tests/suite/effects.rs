@@ -329,7 +329,10 @@ fn pockets_are_needed_by_who_falls_and_costs_are_sorted() {
 
 #[test]
 fn a_scene_without_an_end_is_said_to_have_none() {
-    let outcome = ablation(&scene("report-break-pressed"));
+    // contacts are not followed where one ball weighs so much more than the others
+    let mut pressed = scene("report-break-pressed");
+    pressed.balls[5].mass *= 100.0;
+    let outcome = ablation(&pressed);
     assert_eq!(
         (outcome.reference, verdict(&outcome, Optional::Throw)),
         (None, Verdict::Unknown)

@@ -64,6 +64,8 @@ pub struct Agenda<T> {
     queue: Queue<T>,
     /// Who may meet whom, where there are many balls.
     cells: Option<Cells>,
+    /// Whether balls have been held since the cells were laid out: what is held crosses their edges unnoticed.
+    stale: bool,
     /// The partners of the prediction at hand.
     nearby: Vec<u32>,
     work: Work,
@@ -76,6 +78,7 @@ impl<T: Real> Agenda<T> {
         let mut agenda = Agenda {
             queue: Queue::new(n),
             cells: None,
+            stale: false,
             nearby: Vec::new(),
             work: Work::default(),
         };
@@ -151,6 +154,7 @@ impl<T: Real> Agenda<T> {
         let places = (0..balls.count()).map(|ball| balls.place(ball).map(T::to_f64));
         let places: Vec<[f64; 2]> = places.collect();
         self.work.layouts += 1;
+        self.stale = false;
         let world = balls.world();
         let (widest, uncertainty) = (world.widest_distance(), world.position_uncertainty());
         self.cells = Some(Cells::over(&places, widest, uncertainty));
@@ -169,6 +173,10 @@ impl<T: Real> Agenda<T> {
         let Some(cells) = &mut self.cells else {
             return row.next_event(all, watch, searches);
         };
+        self.stale |= row.balls().holds_any();
+        if self.stale {
+            return row.next_event(all, watch, searches);
+        }
         let now = row.balls().now();
         let mut best = row.end();
         if row.flight().moves() {
@@ -195,6 +203,10 @@ impl<T: Real> Agenda<T> {
 
     /// Foresees and notes the next event of a row.
     pub fn predict(&mut self, row: &Row<'_, T>) {
+        if self.stale && self.cells.is_some() && !row.balls().holds_any() {
+            self.lay_out(row.balls());
+            return;
+        }
         let next = self.foresee(row, None);
         self.schedule(row.ball(), next);
     }
@@ -202,7 +214,7 @@ impl<T: Real> Agenda<T> {
     /// Balls that may be within `gap` of a ball, by surfaces; itself included, in scene order.
     pub fn neighbours(&self, balls: &Kinematics<'_, T>, ball: usize, gap: T) -> Vec<usize> {
         match &self.cells {
-            Some(cells) if gap.to_f64() <= cells.slack => cells.within_slack(ball),
+            Some(cells) if !self.stale && gap.to_f64() <= cells.slack => cells.within_slack(ball),
             _ => (0..balls.count()).collect(),
         }
     }

@@ -9,7 +9,7 @@
 
 use super::agenda::{Agenda, Due, Partners};
 use super::collapse::Streaks;
-use super::contact::decide::{member_but_for, settle};
+use super::contact::decide::{member_but_for, resettle};
 use super::contact::group::{Group, Member, Touch, Twist};
 use super::contact::held::Held;
 use super::contact::touching::{Steady, close_gaps, keep_contacts, touching};
@@ -58,18 +58,19 @@ struct Handover<T> {
 
 /// The same ball in another scalar, with what its mode makes of velocity and spin.
 fn in_scalar<T: Real, U: Real>(world: &World<U>, m: &Member<T>) -> Member<U> {
-    let mut moving = Moving {
+    let moving = Moving {
         position: m.moving.position.map(T::widen),
         velocity: m.moving.velocity.map(T::widen),
         spin: m.moving.spin.map(T::widen),
     };
-    settle(world.radius[m.ball], m.mode, &mut moving);
-    Member {
+    let mut member = Member {
         ball: m.ball,
         moving,
         mode: m.mode,
         twist: m.twist,
-    }
+    };
+    resettle(world, &mut member, U::zero());
+    member
 }
 
 impl<T: Real> Loop<'_, T> {
@@ -91,6 +92,7 @@ impl<T: Real> Loop<'_, T> {
             near: (world.touching)
                 .at_least(self.slow * self.slow / world.strongest() * T::lift(NEAR)),
             slow: self.slow * T::lift(2.0),
+            roundings: 0.0,
         };
         let mut gathered = self.connected(encounter, &steady);
         let still = self.slow * T::lift(OVER);
@@ -106,6 +108,7 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn finer(mut self, what: What, limits: &Limits<'_>) -> (Option<Ending>, Self) {
         self.blurred = false;
+        self.journal.hands_over();
         let world = self.balls.world();
         let patience = T::lift(CALM) * world.noise() / world.strongest();
         let closed = self.closed(&what.balls());
@@ -126,6 +129,7 @@ impl<T: Real> Loop<'_, T> {
             streaks: Streaks::new(balls.count()),
             slow: nothing,
             begun: std::mem::take(&mut self.begun),
+            is_open: false,
             is_fine: true,
             blurred: false,
             balls,
@@ -193,6 +197,7 @@ impl<T: Real> Loop<'_, T> {
         let steady = Steady {
             near: world.blur.length * T::lift(CLOSED),
             slow: T::lift(f64::INFINITY),
+            roundings: 0.0,
         };
         let mut balls = seeds.to_vec();
         let near = |encounter: &Encounter| self.balls.gap(*encounter).abs() <= steady.near;
@@ -317,6 +322,7 @@ fn take_up<T: Real, U: Real>(
             group,
             start: balls.now(),
             stuck: 0,
+            unchanged: 0,
         });
     }
     for encounter in &given.parting {

@@ -2,7 +2,7 @@
 
 use super::cluster_impact::{ClusterImpact, Met, RowSide};
 use super::contact::arc::Arc;
-use super::contact::group::{Change, Group, Mode};
+use super::contact::group::{Change, Group, Member, Mode};
 use super::contact::held::Held;
 use super::contact::touching::Touched;
 use super::encounter::Encounter;
@@ -25,6 +25,7 @@ pub struct Journal<T> {
     events: u64,
     ball_ball: u64,
     ball_cushion: u64,
+    handovers: u64,
     /// Time of every event in the scalar of the run, where someone asks for it.
     times: Option<Vec<T>>,
 }
@@ -42,6 +43,7 @@ impl<T: Real> Journal<T> {
             events: 0,
             ball_ball: 0,
             ball_cushion: 0,
+            handovers: 0,
             times: times.then(Vec::new),
         }
     }
@@ -54,8 +56,14 @@ impl<T: Real> Journal<T> {
             events: self.events,
             ball_ball: self.ball_ball,
             ball_cushion: self.ball_cushion,
+            handovers: self.handovers,
             times: times.map(Iterator::collect),
         }
+    }
+
+    /// A scalar with more digits takes over.
+    pub fn hands_over(&mut self) {
+        self.handovers += 1;
     }
 
     /// Events so far: rows of the trace.
@@ -248,12 +256,15 @@ impl<T: Real> Journal<T> {
             return;
         }
         let length = (balls.now() - held.start).at_most(held.arc.length);
-        for (series, member) in held.arc.series.iter().zip(&held.group.members) {
-            let radius = balls.world().radius[member.ball].to_f64();
-            // between two knots h apart a changing acceleration leaves jerk h^3 / 12 unexplained
-            let most = UNEXPLAINED_IN_CONTACT * radius;
-            let pieces = length.to_f64() * (series.jerk / (12.0 * most)).cbrt();
-            let pieces = pieces.ceil().clamp(1.0, MOST_PIECES);
+        let members = || held.arc.series.iter().zip(&held.group.members);
+        // between two knots h apart a changing acceleration leaves jerk h^3 / 12 unexplained
+        let pieces = members().map(|(series, member)| {
+            let most = UNEXPLAINED_IN_CONTACT * balls.world().radius[member.ball].to_f64();
+            length.to_f64() * (series.jerk / (12.0 * most)).cbrt()
+        });
+        // the same times for all, or one is told at a time at which another is only interpolated
+        let pieces = pieces.fold(1.0, f64::max).ceil().min(MOST_PIECES);
+        for (series, member) in members() {
             for piece in 1..=pieces as u32 {
                 let after = length * T::lift(f64::from(piece) / pieces);
                 let state = balls.state_of(member.ball, &series.at(after));
@@ -299,13 +310,21 @@ impl<T: Real> Journal<T> {
         }
     }
 
-    /// A contact that begins to last, or ends.
-    pub fn contact(&mut self, balls: &Kinematics<'_, T>, encounter: Encounter, begins: bool) {
+    /// A contact that begins to last, or ends. `near`: how balls moved before it was decided that they do, if otherwise than now.
+    pub fn contact(
+        &mut self,
+        balls: &Kinematics<'_, T>,
+        encounter: Encounter,
+        begins: bool,
+        near: &[Member<T>],
+    ) {
         let event = self.contact_row(balls, encounter, begins);
         let time = balls.now().to_f64();
         for ball in encounter.balls() {
-            let state = balls.state_of(ball, &balls.moving(ball));
-            self.recorder.jump(ball, time, &state, &state, event);
+            let far = balls.state_of(ball, &balls.moving(ball));
+            let before = near.iter().find(|m| m.ball == ball);
+            let near = before.map_or(far, |m| balls.state_of(ball, &m.moving));
+            self.recorder.jump(ball, time, &near, &far, event);
         }
     }
 
@@ -343,7 +362,9 @@ impl<T: Real> Journal<T> {
             (Counter::BallBall, self.ball_ball),
             (Counter::BallCushion, self.ball_cushion),
         ];
-        let counters = own.into_iter().chain(further);
+        // where none was needed the row is not there
+        let handovers = (self.handovers > 0).then_some((Counter::Handovers, self.handovers));
+        let counters = own.into_iter().chain(further).chain(handovers);
         self.recorder
             .finish(balls.now().to_f64(), &balls.states(), ending, counters)
     }

@@ -293,6 +293,12 @@ impl<'a, T: Real> Kinematics<'a, T> {
         !self.quiet && self.flights[ball].phase == Phase::Held
     }
 
+    /// Whether any ball is held.
+    #[inline]
+    pub fn holds_any(&self) -> bool {
+        !self.quiet && !self.contacts.held().is_empty()
+    }
+
     /// True as long as nothing has been held, and nothing has parted.
     #[inline]
     pub fn is_quiet(&self) -> bool {

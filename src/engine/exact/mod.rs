@@ -56,7 +56,7 @@ mod world;
 
 pub use agenda::Partners;
 pub use certainty::{MOST_BALLS, certify};
-pub use solution::{Solution, final_positions, solve, solve_following};
+pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};
 use super::{
@@ -67,6 +67,7 @@ use crate::physics::invariants::{Invariant, kinetic_energy, sphere_inertia};
 use crate::physics::{Contact, Cushion, Friction};
 use crate::scene::{Ball, Scene, Simultaneous};
 use crate::trace::{Provenance, Record, Trace};
+use contact::domain::{is_followed, starts_pressed};
 use flight::Ground;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -88,7 +89,7 @@ pub struct Settings {
     pub precision: Precision,
     /// Balls that a prediction looks at: auto, those nearby where there are many; all; cells, those nearby. Changes cost only.
     pub partners: Partners,
-    /// Where impacts accumulate, or balls stay in contact: collapse, the run ends there as collapsed; follow, it goes on to the limit and through the contact. Under construction: in random scenes of sizes far from those of billiards balls overlap by more than rounding.
+    /// Where impacts accumulate, or balls stay in contact: auto, the run goes on to the limit and through the contact in scenes of balls and cloths that people build, and ends there as collapsed in others; follow, it goes on in all, of sizes for which rounding decides as well; collapse, it ends there.
     pub contacts: AtContacts,
 }
 
@@ -96,11 +97,13 @@ pub struct Settings {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AtContacts {
-    /// It ends there, as collapsed.
+    /// It goes on in scenes of balls and cloths that people build, and ends there in others.
     #[default]
-    Collapse,
-    /// It goes on.
+    Auto,
+    /// It goes on in any scene.
     Follow,
+    /// It ends there, as collapsed.
+    Collapse,
 }
 
 /// The scalar of a run.
@@ -240,9 +243,10 @@ impl Engine for Exact {
         if Exact::precision(setting) == Some(Precision::F32) {
             return vec![Invariant::Finite, Invariant::Rerun];
         }
-        // random scenes of sizes far from those of billiards do not keep the others yet
-        let follows = setting.read::<Settings>().map(|settings| settings.contacts);
-        if follows.ok() == Some(AtContacts::Follow) {
+        // scenes of sizes far from those of billiards do not keep the others where contacts are followed in them
+        let asked = setting.read::<Settings>().map(|settings| settings.contacts);
+        let is_plain = is_followed(scene) && !starts_pressed(scene);
+        if asked.ok() == Some(AtContacts::Follow) && !is_plain {
             return vec![Invariant::Finite, Invariant::Bounds, Invariant::Rerun];
         }
         let mut promised = vec![

@@ -1,6 +1,5 @@
 //! A whole run in a scalar of one's choice, with the digits that a trace, which is f64, does not keep.
 
-use super::AtContacts;
 use super::solve::Solver;
 use crate::engine::Limits;
 use crate::math::Real;
@@ -26,18 +25,7 @@ pub struct Solution<T> {
 ///
 /// The scene must be one that the engine can simulate; see `Engine::missing`.
 pub fn solve<T: Real>(scene: &Scene, limits: &Limits<'_>) -> Solution<T> {
-    played(Solver::<T>::new(scene), limits)
-}
-
-/// The same, going on where impacts accumulate and through contacts that last.
-pub fn solve_following<T: Real>(scene: &Scene, limits: &Limits<'_>) -> Solution<T> {
-    played(
-        Solver::<T>::new(scene).at_contacts(AtContacts::Follow),
-        limits,
-    )
-}
-
-fn played<T: Real>(solver: Solver<'_, T>, limits: &Limits<'_>) -> Solution<T> {
+    let solver = Solver::<T>::new(scene);
     let mut played = solver.play(Provenance::default(), Record::Events, limits, true);
     let balls = played.balls();
     let (positions, velocities) = (0..balls.count()).map(|ball| balls.at(ball)).unzip();

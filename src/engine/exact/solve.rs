@@ -12,8 +12,8 @@ use super::agenda::{Agenda, Due, Partners, Work};
 use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
+use super::contact::domain::{is_followed, starts_pressed};
 use super::encounter::Encounter;
-use super::flight::Ground;
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
 use super::kinematics::Kinematics;
@@ -42,7 +42,7 @@ impl<'a, T: Real> Solver<'a, T> {
         Solver {
             balls: Kinematics::new(scene),
             partners: Partners::Auto,
-            contacts: AtContacts::Collapse,
+            contacts: AtContacts::Auto,
         }
     }
 
@@ -92,11 +92,14 @@ impl<'a, T: Real> Solver<'a, T> {
             agenda: Agenda::new(&balls, partners),
             streaks: Streaks::new(balls.count()),
             slow: match contacts {
+                AtContacts::Auto if is_followed(balls.scene()) => balls.world().blurs(),
+                AtContacts::Follow if balls.world().presses() => balls.world().blurs(),
                 // none is
-                AtContacts::Collapse => T::lift(f64::NEG_INFINITY),
-                AtContacts::Follow => slow(&balls),
+                _ => T::lift(f64::NEG_INFINITY),
             },
             begun: Vec::new(),
+            // asked where the first slow impact is
+            is_open: contacts == AtContacts::Auto,
             is_fine: false,
             blurred: false,
             balls,
@@ -145,17 +148,6 @@ impl<'a, T: Real> Played<'a, T> {
     }
 }
 
-/// The speed below which an impact may be one of an accumulation that the scalar does not resolve; without a cloth nothing presses balls together.
-fn slow<T: Real>(balls: &Kinematics<'_, T>) -> T {
-    let world = balls.world();
-    let presses = match (&world.rotation, world.ground) {
-        (Some(rotation), _) => rotation.slide > T::zero(),
-        (None, Ground::Coulomb(_)) => true,
-        (None, Ground::Frictionless) => false,
-    };
-    if presses { world.blurs() } else { T::zero() }
-}
-
 /// A run under way.
 pub(super) struct Loop<'a, T: Real> {
     pub(super) balls: Kinematics<'a, T>,
@@ -166,6 +158,8 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) slow: T,
     /// Contacts that this run has brought about, which no convention of the scene speaks of.
     pub(super) begun: Vec<Encounter>,
+    /// Whether it is open yet whether contacts are followed in this scene.
+    pub(super) is_open: bool,
     /// Whether this run has taken over from one with fewer digits.
     pub(super) is_fine: bool,
     /// Whether this scalar no longer tells what happens now.
@@ -297,8 +291,8 @@ impl<T: Real> Loop<'_, T> {
     #[inline(always)]
     fn impact<const N: usize>(&mut self, impact: &Impact<T, N>) -> Option<Ending> {
         let sides = &impact.sides;
-        if impact.closing < self.slow {
-            if self.is_still(impact.closing) {
+        if impact.closing < self.slow && self.follows() {
+            if self.is_still(impact.encounter, impact.closing) {
                 return self.touch(impact.encounter);
             }
             return self.shrinks(impact.encounter);
@@ -341,6 +335,15 @@ impl<T: Real> Loop<'_, T> {
         }
         self.journal.impact(&self.balls, impact);
         ending
+    }
+
+    /// Whether what is slow is followed.
+    #[cold]
+    fn follows(&mut self) -> bool {
+        if std::mem::take(&mut self.is_open) && starts_pressed(self.balls.scene()) {
+            self.slow = T::lift(f64::NEG_INFINITY);
+        }
+        self.slow > T::zero()
     }
 
     /// The next event of the `i`th ball of an impact, all of whose balls would set off now. `watch` is told what is near.

@@ -83,6 +83,23 @@ pub struct Moving<T> {
 }
 
 impl<T: Real> Moving<T> {
+    /// Velocity of the lowest point of a ball of this radius: `v + R (z x w)`.
+    pub fn slip(&self, radius: T) -> [T; 2] {
+        let [x, y] = self.velocity;
+        [x - radius * self.spin[1], y + radius * self.spin[0]]
+    }
+
+    /// Takes out the slip by what the cloth does to a sphere until it rolls.
+    pub fn end_slip(&mut self, radius: T) {
+        let slip = self.slip(radius);
+        let part = T::lift(2.0) / T::lift(7.0);
+        self.velocity = [0, 1].map(|axis| self.velocity[axis] - slip[axis] * part);
+        let [x, y] = self.velocity;
+        [self.spin[0], self.spin[1]] = [-y / radius, x / radius];
+    }
+}
+
+impl<T: Real> Moving<T> {
     /// One of its seven numbers: x, y, their rates, and the three of the spin.
     pub fn part(&mut self, part: usize) -> &mut T {
         match part {

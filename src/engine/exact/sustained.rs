@@ -2,11 +2,11 @@
 
 use super::cluster_impact::ClusterImpact;
 use super::contact::arc::Arc;
-use super::contact::decide::{Undetermined, decide, member};
-use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist};
+use super::contact::decide::{Undetermined, decide, member, member_as_is, tidy};
+use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist, loudest};
 use super::contact::held::Held;
 use super::contact::touching::{
-    Gathered, STEADY, Steady, Touched, calm, components, keep_contacts, rate, touching,
+    Gathered, Steady, Touched, calm, components, keep_contacts, rate, slowest, touching,
 };
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 /// A stretch may be this many times what is left of the run.
 const PAST_THE_END: f64 = 1.0 + 1e-6;
 
-/// Stretches without length after which a group does not get on.
+/// Stretches in which next to no time passes after which a group does not get on.
 const STUCK: u32 = 64;
 
 /// The next stretch of a group that begins now.
@@ -32,10 +32,14 @@ pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
     Arc::of(world, group, most)
 }
 
+/// Stretches without a change between them, at most: one that turns towards its end takes a few for each bit of the scalar.
+const MOST_STRETCHES: u32 = 2000;
+
 impl<T: Real> Loop<'_, T> {
     /// Whether parties that touch do not approach, at this rate, but for rounding.
-    pub(super) fn is_still(&self, closing: T) -> bool {
-        closing <= self.balls.world().blur.speed * T::lift(STEADY)
+    pub(super) fn is_still(&self, encounter: Encounter, closing: T) -> bool {
+        let steady = Steady::of(self.balls.world());
+        closing <= slowest(&self.balls, encounter, &steady)
     }
 
     /// Takes up a group and predicts what its balls meet.
@@ -69,15 +73,23 @@ impl<T: Real> Loop<'_, T> {
         let touches = group.touches();
         keep_contacts(world, &mut group.members, &touches);
         if changes.is_empty() {
+            if held.unchanged >= MOST_STRETCHES {
+                let balls: Vec<usize> = group.members.iter().map(|m| m.ball).collect();
+                let why = "the motion of balls in contact turns within ever shorter times";
+                return Some(Ending::Collapsed(self.balls.spot(&balls, why)));
+            }
             self.hold(Held {
                 arc: stretch(&self.balls, &group),
                 group,
                 start: self.balls.now(),
                 stuck: held.stuck,
+                unchanged: held.unchanged + 1,
             });
             return None;
         }
-        let stuck = if held.arc.length > T::zero() {
+        // no ball gets as fast meanwhile as rounding tells
+        let moment = world.blur.speed / world.strongest();
+        let stuck = if held.arc.length > moment {
             0
         } else {
             held.stuck + 1
@@ -131,13 +143,18 @@ impl<T: Real> Loop<'_, T> {
         let decision = match decide(world, members.clone(), &touches, gone, changes) {
             Ok(decision) => decision,
             Err(undetermined) => {
+                for m in &members {
+                    self.balls
+                        .set_off(m.ball, &self.balls.course(m.ball, m.moving));
+                }
                 return Some(self.undetermined(&undetermined, &members, &touches));
             }
         };
+        let mut near = members;
         let members = decision.group.members.clone();
         let mut balls: Vec<usize> = Vec::new();
         let mut lasting: Vec<Encounter> = Vec::new();
-        for group in components(&decision.group) {
+        for mut group in components(&decision.group) {
             balls.extend(group.members.iter().map(|m| m.ball));
             let rests = group.members.iter().all(|m| m.mode == Mode::Rests);
             if group.holds.is_empty() || rests {
@@ -149,18 +166,29 @@ impl<T: Real> Loop<'_, T> {
             }
             let named = |hold: &Hold| hold.touch.encounter(&group.members);
             lasting.extend(group.holds.iter().map(named));
+            for m in &mut group.members {
+                tidy(self.balls.world(), m);
+            }
+            // one that is let go creeps: those that it touches go with it
+            let mut calmed = group.members.clone();
+            calm(self.balls.world(), &mut calmed, &group.touches());
+            let mut both = group.members.iter().zip(&calmed);
+            if both.all(|(m, calmed)| m.mode == calmed.mode) {
+                group.members = calmed;
+            }
             let arc = stretch(&self.balls, &group);
             self.balls.hold(Held {
                 arc,
                 group,
                 start: self.balls.now(),
                 stuck,
+                unchanged: 0,
             });
         }
         for touch in &decision.parting {
             self.balls.part(touch.encounter(&members));
         }
-        self.tell(&before, &held, &lasting);
+        self.tell(&before, &held, &lasting, &mut near);
         self.predict_all(&balls);
         None
     }
@@ -178,17 +206,23 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    /// Writes down which contacts began and which ended.
-    fn tell(&mut self, before: &[Encounter], held: &[Encounter], lasting: &[Encounter]) {
+    /// Writes down which contacts began and which ended. `near`: how balls moved before it was decided how they go on; what has been told is taken out.
+    fn tell(
+        &mut self,
+        before: &[Encounter],
+        held: &[Encounter],
+        lasting: &[Encounter],
+        near: &mut Vec<Member<T>>,
+    ) {
         for encounter in before {
             let was = held.contains(encounter);
             let is = lasting.contains(encounter);
             if is && !was {
                 self.begin(*encounter);
-                self.journal.contact(&self.balls, *encounter, true);
             }
-            if was && !is {
-                self.journal.contact(&self.balls, *encounter, false);
+            if is != was {
+                self.journal.contact(&self.balls, *encounter, is, near);
+                near.retain(|m| !encounter.involves(m.ball));
             }
         }
     }
@@ -218,7 +252,7 @@ impl<T: Real> Loop<'_, T> {
     #[inline(never)]
     pub(super) fn touch(&mut self, encounter: Encounter) -> Option<Ending> {
         let steady = Steady::of(self.balls.world());
-        if self.balls.rate(encounter) > steady.slow {
+        if !self.is_still(encounter, self.balls.rate(encounter)) {
             // they part already: rounding has them meet
             let balls: Vec<usize> = encounter.balls().collect();
             self.balls.part(encounter);
@@ -273,7 +307,7 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     pub(super) fn struck_together(&mut self, encounter: Encounter) -> Option<Ending> {
         let closing = -self.balls.rate(encounter);
-        if self.is_still(closing) {
+        if self.is_still(encounter, closing) {
             return self.touch(encounter);
         }
         if closing < self.slow {
@@ -294,7 +328,7 @@ impl<T: Real> Loop<'_, T> {
                 velocity: side.after,
                 spin: side.spin_after,
             };
-            let next = member(self.balls.world(), side.ball, moving);
+            let next = member_as_is(self.balls.world(), side.ball, moving);
             let known = gathered.members.iter_mut().find(|m| m.ball == side.ball);
             if let Some(known) = known {
                 *known = next;
@@ -312,7 +346,7 @@ impl<T: Real> Loop<'_, T> {
         for encounter in &held {
             let stays = steady.iter().any(|t| t.encounter(&members) == *encounter);
             if !stays {
-                self.journal.contact(&self.balls, *encounter, false);
+                self.journal.contact(&self.balls, *encounter, false, &[]);
             }
         }
         let gathered = Gathered {
@@ -334,7 +368,7 @@ impl<T: Real> Loop<'_, T> {
         } = self.gather(*held.first()?, &Steady::of(self.balls.world()));
         let ended = held.iter().filter(|encounter| encounter.involves(ball));
         for encounter in ended {
-            self.journal.contact(&self.balls, *encounter, false);
+            self.journal.contact(&self.balls, *encounter, false, &[]);
         }
         let place = members.iter().position(|m| m.ball == ball)?;
         let after = |i: usize| if i > place { i - 1 } else { i };
@@ -396,7 +430,15 @@ impl<T: Real> Loop<'_, T> {
 
     /// Whether two parties that touch neither approach nor part.
     fn is_steady(&self, members: &[Member<T>], touch: Touch) -> bool {
-        self.is_still(rate(members, touch).abs())
+        let world = self.balls.world();
+        let parties = touch.members().map(|(i, _)| members[i]);
+        let parties: Vec<Member<T>> = parties.collect();
+        let distance = match parties[..] {
+            [a, b] => world.distance(a.ball, b.ball),
+            _ => world.radius[parties[0].ball],
+        };
+        let slowest = Steady::of(world).slowest(world, loudest(world, &parties), distance);
+        rate(members, touch).abs() <= slowest
     }
 
     /// Everything that touches the parties of `seed`, directly or through others, without closing in; taken out of the groups that hold it.
@@ -458,7 +500,7 @@ impl<T: Real> Loop<'_, T> {
             .and_then(|held| held.group.members.iter().find(|m| m.ball == ball).copied());
         match known {
             Some(known) => Member { moving, ..known },
-            None => member(self.balls.world(), ball, moving),
+            None => member_as_is(self.balls.world(), ball, moving),
         }
     }
 }

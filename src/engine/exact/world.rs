@@ -166,9 +166,26 @@ impl<T: Real> World<T> {
         }
     }
 
-    /// A slip or a speed that turns while it ends, in contact, is over when it is no more than this, length/s.
-    pub fn over(&self) -> T {
-        self.blur.speed * T::lift(OVER * (self.accuracy / T::ULP))
+    /// The larger of a ball's speed and that of its surface about its centre, length/s.
+    pub fn loudness(&self, ball: usize, moving: &Moving<T>) -> T {
+        let square = |parts: &[T]| parts.iter().fold(T::zero(), |sum, x| sum + *x * *x);
+        let (speed, turn) = (square(&moving.velocity), square(&moving.spin));
+        speed.sqrt().at_least(turn.sqrt() * self.radius[ball])
+    }
+
+    /// What rounding makes of speeds of this size, length/s.
+    pub fn grain(&self, speed: T) -> T {
+        speed * T::lift(2.0 * ROUNDINGS * T::ULP)
+    }
+
+    /// What rounding makes of the rate of a gap between parties of this speed: that of the normal, too, which the places give.
+    pub fn grain_of_rate(&self, speed: T, distance: T) -> T {
+        self.grain(speed) + speed * (self.blur.length / distance)
+    }
+
+    /// A slip or a speed that turns while it ends, in contact, of balls of this speed is over when it is no more than this, length/s.
+    pub fn over(&self, speed: T) -> T {
+        self.grain(speed) * T::lift(OVER * (self.accuracy / T::ULP))
     }
 
     /// What rounding of a gap makes of an approach, length/s.
@@ -179,6 +196,15 @@ impl<T: Real> World<T> {
     /// The speed of an approach below which rounding will soon say how impacts go on that shrink, length/s.
     pub fn blurs(&self) -> T {
         (self.noise() * T::lift(NOISE)).at_most(self.fastest * T::lift(SHRINKS))
+    }
+
+    /// Whether the cloth may press balls together.
+    pub fn presses(&self) -> bool {
+        match (&self.rotation, self.ground) {
+            (Some(rotation), _) => rotation.slide > T::zero(),
+            (None, Ground::Coulomb(_)) => true,
+            (None, Ground::Frictionless) => false,
+        }
     }
 
     /// What the place of a ball is good to at a time that is itself rounded, length.

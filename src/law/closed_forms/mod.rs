@@ -23,7 +23,7 @@ use crate::math::{Vec3, worse};
 use crate::physics::invariants::Invariant;
 use crate::physics::{Side, State};
 use crate::scene::{Scene, Table};
-use crate::trace::{Contacts, Event, EventKind, Knot, Trace};
+use crate::trace::{Contacts, Counter, Event, EventKind, Knot, Trace};
 use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
@@ -35,9 +35,6 @@ const ULPS: f64 = 64.0;
 /// length a trace does not tell, and each link rounds. An allowance and no derived bound: of forty thousand scenes (seed 1) the worst
 /// took three quarters of it.
 const CHAIN_ULPS: f64 = 8192.0;
-
-/// Gaps of so many ulp of the largest coordinate are rounding, and are closed where impacts shrink to a contact.
-const CLOSED_ULPS: f64 = 16.0;
 
 /// Speeds below this are none: their squares are no numbers. length/s.
 const NONE: f64 = 1e-150;
@@ -118,20 +115,18 @@ pub fn check(scene: &Scene, trace: &Trace) -> Laws {
         return Laws::default();
     }
     // how near is near enough for an impact is decided before a run, by its longest way
-    let place = Run::of(scene, trace).rounding(scene.duration);
+    let run = Run::of(scene, trace);
+    let place = run.rounding(scene.duration);
     let contacts = Contacts::of(trace);
+    let handed_over = trace.counters.contains_key(Counter::Handovers.id());
     let mut audit = Audit {
         scene,
         trace,
         grain: ULPS * f64::EPSILON,
         place,
         step: trace.provenance.resolution,
-        rounded: trace.provenance.ulp != f64::EPSILON,
-        closed: if contacts.is_empty() {
-            0.0
-        } else {
-            CLOSED_ULPS * f64::EPSILON * scene.largest_coordinate()
-        },
+        rounded: handed_over || trace.provenance.ulp != f64::EPSILON,
+        closed: run.closed(),
         contacts,
         found: Laws::default(),
     };

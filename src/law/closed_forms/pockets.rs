@@ -1,7 +1,7 @@
 //! Pockets: where a ball falls, and that none goes over one.
 
 use super::{Audit, Jump, Part, plan};
-use crate::trace::Knot;
+use crate::trace::{Knot, UNEXPLAINED_IN_CONTACT};
 use nalgebra::Vector2;
 
 /// Places of a piece of a path that are looked at.
@@ -50,7 +50,13 @@ impl Audit<'_> {
         let last = plan(&end.state.velocity);
         // a step ends beyond the rim, and its path is not quite the one through both knots
         let steps = 4.0 * self.step * v.norm().max(last.norm());
-        let allowed = self.place + steps;
+        // nor that of a ball in contact
+        let unexplained = if self.contacts.during(ball, [start.time, end.time]) {
+            2.0 * UNEXPLAINED_IN_CONTACT * self.scene.balls[ball].radius
+        } else {
+            0.0
+        };
+        let allowed = self.place + steps + unexplained;
         for pocket in 0..self.circles().len() {
             let [cx, cy, r] = self.circles()[pocket];
             let deepest = (0..=LOOKS).map(|look| {

@@ -3,7 +3,7 @@
 
 use super::{G, MU_ROLL, MU_SLIDE, R};
 use carom::engine::Limits;
-use carom::engine::exact::solve_following;
+use carom::engine::exact::solve;
 use carom::scene::{Scene, parse};
 use carom::trace::{Ending, EventKind, Trace};
 
@@ -36,7 +36,7 @@ fn row(balls: &[(f64, f64)], mu_ball: f64, mu_roll: f64) -> Scene {
 }
 
 fn run(scene: &Scene) -> Trace {
-    let trace = solve_following::<f64>(scene, &Limits::NONE).trace;
+    let trace = solve::<f64>(scene, &Limits::NONE).trace;
     assert_eq!(trace.ending, Ending::Rest, "{:?}", trace.ending);
     trace
 }

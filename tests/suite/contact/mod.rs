@@ -10,7 +10,7 @@ mod time_stepping;
 
 use crate::references::text;
 use carom::engine::Limits;
-use carom::engine::exact::{Solution, solve_following};
+use carom::engine::exact::{Solution, solve};
 use carom::math::{DoubleDouble, Octuple, Real, Vec3};
 use carom::physics::{Side, State};
 use carom::scene::{Scene, parse};
@@ -66,7 +66,7 @@ fn runs() -> &'static [(Case, Solution<f64>)] {
     static RUNS: LazyLock<Vec<(Case, Solution<f64>)>> = LazyLock::new(|| {
         let run = |(name, _): (&'static str, f64)| {
             let case = case(name);
-            let solution = solve_following(&case.scene, &Limits::NONE);
+            let solution = solve(&case.scene, &Limits::NONE);
             (case, solution)
         };
         CASES.map(run).into()
@@ -138,7 +138,7 @@ fn in_106_bits_every_case_agrees_to_what_its_truth_states() {
             _ => stated.unwrap_or(f64::NAN).max(1e-24),
         };
         hold_ends(
-            &solve_following::<DoubleDouble>(&case.scene, &Limits::NONE),
+            &solve::<DoubleDouble>(&case.scene, &Limits::NONE),
             case,
             place,
         );
@@ -149,7 +149,7 @@ fn in_106_bits_every_case_agrees_to_what_its_truth_states() {
 fn in_237_bits_a_contact_phase_agrees_to_what_its_truth_states() {
     for name in ["b1-plastic-inline", "b8-three-inline"] {
         let (case, _) = run_of(name);
-        let solution = solve_following::<Octuple>(&case.scene, &Limits::NONE);
+        let solution = solve::<Octuple>(&case.scene, &Limits::NONE);
         let stated = case.truth["accuracy"]["stated_m"].as_f64();
         hold_ends(&solution, case, stated.unwrap_or(f64::NAN));
     }
@@ -387,10 +387,10 @@ fn image(state: &State) -> State {
 fn mirrored_and_renamed_runs_through_contacts_are_the_same() {
     for name in ["b3-offline-release", "a3-three-e1", "a4-four-e08-friction"] {
         let (case, solution) = run_of(name);
-        let mirror = solve_following::<f64>(&mirrored(&case.scene), &Limits::NONE);
+        let mirror = solve::<f64>(&mirrored(&case.scene), &Limits::NONE);
         let mut turned = case.scene.clone();
         turned.balls.reverse();
-        let renamed = solve_following::<f64>(&turned, &Limits::NONE);
+        let renamed = solve::<f64>(&turned, &Limits::NONE);
         let count = case.scene.balls.len();
         for (ball, at) in solution.positions.iter().enumerate() {
             let (there, last) = (mirror.positions[ball], renamed.positions[count - 1 - ball]);

@@ -1,12 +1,13 @@
 //! Several encounters whose impacts shrink together: balls pressed to one that knocks at another, chains of balls that knock at each other.
 
-use carom::engine::Limits;
-use carom::engine::exact::solve_following;
+use carom::engine::exact::{Exact, solve};
+use carom::engine::{Engine, Limits, Setting};
+use carom::math::{DoubleDouble, Real};
 use carom::physics::State;
 use carom::scene::perturb::{Law, Perturbation};
-use carom::scene::{Scene, parse};
+use carom::scene::{Scene, catalogue, parse};
 use carom::study::random::{check, scene};
-use carom::trace::{Ending, EventKind, UNEXPLAINED_IN_CONTACT};
+use carom::trace::{Ending, EventKind, Record, Trace, UNEXPLAINED_IN_CONTACT};
 
 /// The pool break at 2 m/s, moved by the law of `carom ensemble --seed 3`.
 fn soft_break(index: u64) -> Scene {
@@ -25,6 +26,13 @@ fn random(seed: u64, index: u64) -> Scene {
     scene(seed, index).unwrap_or_else(|error| panic!("{error:?}"))
 }
 
+/// A run that follows contacts whatever the sizes of the scene are.
+fn followed(scene: &Scene) -> Trace {
+    let asked = Setting::default().with("contacts", "follow");
+    let run = Exact.prepare(scene, &asked).unwrap();
+    run.simulate(Record::Events, &budget())
+}
+
 fn budget() -> Limits<'static> {
     Limits {
         max_events: 1000,
@@ -37,7 +45,7 @@ fn a_soft_break_goes_on_through_nested_limits_to_rest_and_gains_nothing() {
     let mut most = 0;
     for index in [0, 1, 9, 10] {
         let scene = soft_break(index);
-        let trace = solve_following::<f64>(&scene, &Limits::NONE).trace;
+        let trace = solve::<f64>(&scene, &Limits::NONE).trace;
         assert_eq!(trace.ending, Ending::Rest, "sample {index}");
         let extrema = &trace.extrema;
         let (gained, overlap) = (extrema.energy_gained.value, extrema.overlap.value);
@@ -61,7 +69,7 @@ fn friction_that_turns_pressed_balls_back_and_forth_gives_them_nothing() {
     // ten balls in a row that touch, of which four roll: the others slide, and rub on them with a slip that soon vanishes. A series that is followed
     // beyond where the slip does turns them out of nothing
     let scene = random(101, 45);
-    let trace = solve_following::<f64>(&scene, &budget()).trace;
+    let trace = followed(&scene);
     let contacts = |kind: EventKind| matches!(kind, EventKind::ContactBegin(..));
     assert!(trace.events.iter().any(|e| contacts(e.kind)), "no contact");
     let faults = check(&scene, &trace, true).faults;
@@ -73,7 +81,7 @@ fn balls_keep_their_numbers_where_a_contact_takes_all_of_a_speed_and_where_a_sli
     // one rolls into a cushion as slowly as rounding, and no longer rolls anywhere; three others rub with a slip that lasts some 1e-14 s, and the
     // coefficients of their series grow beyond the range of numbers
     let scene = random(102, 369);
-    let trace = solve_following::<f64>(&scene, &budget()).trace;
+    let trace = followed(&scene);
     let numbers = |state: &State| state.position.iter().all(|x| x.is_finite());
     for (ball, path) in trace.paths.iter().enumerate() {
         let strange = path.knots.iter().find(|knot| !numbers(&knot.state));
@@ -85,7 +93,7 @@ fn balls_keep_their_numbers_where_a_contact_takes_all_of_a_speed_and_where_a_sli
 fn a_gap_that_closes_by_its_rate_alone_is_not_closed_before() {
     // a ball that rolls along a cushion, and others that fly at it: no acceleration is above 1e-28, which is nothing beside the speeds
     let scene = random(100, 165);
-    let trace = solve_following::<f64>(&scene, &budget()).trace;
+    let trace = followed(&scene);
     let hits = trace.collisions().filter_map(|event| match event.kind {
         EventKind::BallBall(a, b) => Some((event.time, a as usize, b as usize)),
         _ => None,
@@ -105,4 +113,43 @@ fn a_gap_that_closes_by_its_rate_alone_is_not_closed_before() {
         held += 1;
     }
     assert!(held >= 5, "{held} hits");
+}
+
+#[test]
+fn pressed_breaks_of_the_catalogue_come_to_rest_where_a_hundred_bits_say() {
+    for name in ["report-break-pressed", "rack-lossy"] {
+        let scene = catalogue::scene(name).unwrap();
+        let fine = solve::<DoubleDouble>(&scene, &Limits::NONE);
+        let coarse = solve::<f64>(&scene, &Limits::NONE);
+        for trace in [&coarse.trace, &fine.trace] {
+            assert_eq!(trace.ending, Ending::Rest, "{name}");
+            let gained = trace.extrema.energy_gained.value;
+            assert!(
+                gained <= 1e-12 * scene.initial_energy(),
+                "{name}: {gained:e}"
+            );
+        }
+        // growth of errors of 1e6 and less: `carom run NAME --engine exact`
+        let radius = scene.balls[0].radius;
+        for (ball, (a, b)) in coarse.positions.iter().zip(&fine.positions).enumerate() {
+            let off = [0, 1].map(|axis| (a[axis] - b[axis].to_f64()).abs());
+            assert!(off[0].max(off[1]) < 1e-8 * radius, "{name} {ball}: {off:?}");
+        }
+    }
+}
+
+#[test]
+fn a_run_that_does_not_follow_contacts_ends_where_they_begin() {
+    let end = |scene: &Scene, setting: Setting| {
+        let run = Exact.prepare(scene, &setting).unwrap();
+        run.simulate(Record::Final, &Limits::NONE).ending.id()
+    };
+    let pressed = catalogue::scene("report-break-pressed").unwrap();
+    let asked = Setting::default().with("contacts", "collapse");
+    assert_eq!(end(&pressed, asked), "collapsed");
+    // nor does it in a scene of sizes that nobody builds
+    let mut heavy = pressed.clone();
+    heavy.balls[5].mass *= 100.0;
+    assert_eq!(end(&heavy, Setting::default()), "collapsed");
+    assert_eq!(end(&pressed, Setting::default()), "rest");
 }

@@ -2,7 +2,7 @@
 
 use super::{R, lasting, reach, runs};
 use carom::engine::Limits;
-use carom::engine::exact::solve_following;
+use carom::engine::exact::solve;
 use carom::math::{DoubleDouble, Real};
 use carom::scene::catalogue;
 use carom::trace::{Ending, Knot, Partner, Path, Trace};
@@ -107,8 +107,8 @@ fn racks_that_end_up_resting_on_each_other_do_so_alike_in_two_precisions() {
     for name in ["rack-lossy", "report-break-pressed"] {
         let scene = catalogue::scene(name).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (coarse, fine) = (
-            solve_following::<f64>(&scene, &Limits::NONE),
-            solve_following::<DoubleDouble>(&scene, &Limits::NONE),
+            solve::<f64>(&scene, &Limits::NONE),
+            solve::<DoubleDouble>(&scene, &Limits::NONE),
         );
         for trace in [&coarse.trace, &fine.trace] {
             assert_eq!(trace.ending, Ending::Rest, "{name}: {:?}", trace.ending);

@@ -25,16 +25,14 @@ const OURS: [(&str, &[&str]); 2] = [
 const STEPS: [&str; 4] = ["dt=0.1", "dt=0.0166", "dt=0.01", "dt=1e-4"];
 
 /// Scenes in which the exact engine stops because there is no answer, with the ending that says why.
-const WITHOUT_END: [(&str, &str); 13] = [
+const WITHOUT_END: [(&str, &str); 11] = [
     ("report-break-central", "indeterminate"),
     ("report-break-frozen", "indeterminate"),
     ("report-break-frozen-ensemble", "indeterminate"),
     ("triple-hit", "indeterminate"),
     ("triple-hit-ensemble", "indeterminate"),
-    ("report-break-pressed", "collapsed"),
     ("rack-frozen-central", "indeterminate"),
     ("rack-frozen-oblique", "indeterminate"),
-    ("rack-lossy", "collapsed"),
     ("cradle-nearly-elastic", "indeterminate"),
     ("collapse-chain", "indeterminate"),
     ("thin-cut-1e-15", "undecidable"),

@@ -4,9 +4,8 @@
 //! stretch ends well before one, by what its highest coefficients leave out, so a motion that turns towards its end takes a stretch for each fifth
 //! or so of the time that is left, until what is left is rounding. Where nothing turns the series end by themselves, and one stretch is exact.
 
-use super::decide::settle;
 use super::equations::Equations;
-use super::group::{Change, Group, Mode};
+use super::group::{Change, Group, Mode, loudest};
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
 use crate::math::Real;
@@ -21,8 +20,8 @@ const LEFT_OUT: f64 = 0.5;
 /// Places at which a monitor is looked at within a stretch.
 const LOOKS: usize = 8;
 
-/// The sizes of all terms of a velocity add up to no more than this many times the fastest ball's speed.
-const BEYOND: f64 = 4.0;
+/// The sizes of all terms of a velocity add up to no more than this many times the largest speed at the start.
+const BEYOND: f64 = 16.0;
 
 /// Units of time that are tried, each this part of the one before.
 const UNITS: usize = 24;
@@ -63,6 +62,12 @@ impl<T: Real> Series<T> {
             velocity: [0, 1].map(|axis| at(&self.velocity[axis], h)),
             spin: [0, 1, 2].map(|axis| at(&self.spin[axis], h)),
         }
+    }
+
+    /// Its acceleration `h` seconds after the start, length/s^2.
+    pub fn acceleration(&self, h: T) -> [T; 2] {
+        let h = h / self.unit;
+        [0, 1].map(|axis| slope_at(&self.velocity[axis], h) / self.unit)
     }
 
     /// `h`: the length of the stretch in units of its time; `unit`: that unit, s.
@@ -120,7 +125,8 @@ impl<T: Real> Arc<T> {
         let (equations, unit) = solved(world, group, most);
         let tape = &equations.tape;
         let mut length = most / unit;
-        let speed = world.fastest.to_f64();
+        let loudest = loudest(world, &group.members);
+        let speed = loudest.to_f64();
         let part = LEFT_OUT * world.accuracy;
         for node in equations.velocity.iter().flatten() {
             length = length.at_most(T::lift(reach(tape.series(*node), speed, part)));
@@ -132,7 +138,7 @@ impl<T: Real> Arc<T> {
                 length = length.at_most(T::lift(reach(tape.series(*node), turn, part)));
             }
         }
-        // a sum of terms that is beyond what energy allows does not converge
+        // a sum of terms that is far beyond what balls have at the start does not converge
         let bound = |length: T| {
             let sizes = equations.velocity.iter().flatten();
             sizes.fold(0.0_f64, |most, node| {
@@ -149,7 +155,7 @@ impl<T: Real> Arc<T> {
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
         let (length, mut changes) = first_change(&watched, length);
-        for change in over(world, &watched, length) {
+        for change in over(world, loudest, &watched, length) {
             if !changes.contains(&change) {
                 changes.push(change);
             }
@@ -190,16 +196,11 @@ impl<T: Real> Arc<T> {
             match *change {
                 Change::Rolls(i) => {
                     let radius = world.radius[group.members[i].ball];
-                    let moving = &mut states[i];
-                    let [x, y] = moving.velocity;
-                    let slip = [x - radius * moving.spin[1], y + radius * moving.spin[0]];
-                    let part = T::lift(2.0) / T::lift(7.0);
-                    moving.velocity = [x - slip[0] * part, y - slip[1] * part];
-                    settle(radius, Mode::Rolls, moving);
+                    states[i].end_slip(radius);
                 }
                 Change::Stops(i) => {
-                    let radius = world.radius[group.members[i].ball];
-                    settle(radius, Mode::Rests, &mut states[i]);
+                    states[i].velocity = [T::zero(); 2];
+                    [states[i].spin[0], states[i].spin[1]] = [T::zero(); 2];
                 }
                 Change::Unspun(i) => states[i].spin[2] = T::zero(),
                 _ => {}
@@ -324,8 +325,8 @@ fn root<T: Real>(series: &[T], mut low: T, mut high: T) -> T {
 }
 
 /// Slips and speeds that are over, but for rounding, at the end of a stretch: those that turn while they end never fall to zero in a series.
-fn over<T: Real>(world: &World<T>, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
-    let none = world.over();
+fn over<T: Real>(world: &World<T>, speed: T, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
+    let none = world.over(speed);
     let ended = watched.iter().filter(|(change, series)| {
         matches!(change, Change::Rolls(_) | Change::Stops(_)) && at(series, length) <= none
     });

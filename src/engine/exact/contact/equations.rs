@@ -1,6 +1,6 @@
 //! The equations of a group, written on a tape.
 
-use super::group::{Change, Group, Member, Mode, Touch, Twist};
+use super::group::{Change, Group, Member, Mode, Touch, Twist, loudest};
 use crate::engine::exact::flight::Ground;
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
@@ -45,6 +45,8 @@ pub struct Equations<T> {
 struct Response {
     /// Acceleration of its centre.
     acceleration: [Node; 2],
+    /// What that would be if it did not rest.
+    loose: [Node; 2],
     /// The part of the force per mass that counts for rolling.
     rolling: [Node; 2],
     /// Force per mass.
@@ -88,30 +90,53 @@ impl<T: Real> Group<T> {
         writer.finish(&contacts, force)
     }
 
-    /// The linear system of all contacts at the start: what each force does to the acceleration of each gap, and what that is without forces.
-    pub fn system(&self, world: &World<T>) -> (Vec<Vec<T>>, Vec<T>) {
+    /// The linear system of all contacts at the start.
+    pub fn system(&self, world: &World<T>) -> System<T> {
         let mut writer = Writer::new(world, self);
         let contacts = writer.contacts();
-        let all: Vec<usize> = (0..contacts.len()).collect();
-        let matrix = all
-            .iter()
-            .map(|k| {
-                let row = all.iter().map(|l| writer.coupling(&contacts, *k, *l));
-                let row: Vec<Node> = row.collect();
-                row.into_iter()
-                    .map(|node| writer.tape.value(node))
-                    .collect()
-            })
-            .collect();
-        let free = all
-            .iter()
-            .map(|k| {
-                let node = writer.free_opening(&contacts[*k], self.holds[*k].touch);
-                writer.tape.value(node)
-            })
-            .collect();
-        (matrix, free)
+        let n = contacts.len();
+        let mut matrix = |of: Part| -> Vec<Vec<T>> {
+            let row = |k: usize| {
+                let entries = (0..n).map(|l| {
+                    let node = writer.coupling(&contacts, k, l, of);
+                    writer.tape.value(node)
+                });
+                entries.collect()
+            };
+            (0..n).map(row).collect()
+        };
+        let moving = matrix(|response| response.acceleration);
+        let loose = matrix(|response| response.loose);
+        let free = (0..n).map(|k| {
+            let node = writer.free_opening(&contacts[k], self.holds[k].touch);
+            writer.tape.value(node)
+        });
+        System {
+            moving,
+            free: free.collect(),
+            loose,
+        }
     }
+
+    /// Whether all members of a contact rest: its force moves nobody, and holds them against what pushes them.
+    pub fn rests(&self, touch: Touch) -> bool {
+        let mut members = touch.members();
+        members.all(|(member, _)| self.members[member].mode == Mode::Rests)
+    }
+}
+
+/// What one unit of force does to a member, one part of it.
+type Part = fn(&Response) -> [Node; 2];
+
+/// What the forces of contacts do to the accelerations of their gaps.
+#[derive(Debug)]
+pub struct System<T> {
+    /// What each force does to the acceleration of each gap.
+    pub moving: Vec<Vec<T>>,
+    /// The accelerations without forces.
+    pub free: Vec<T>,
+    /// What each force would do if nobody rested.
+    pub loose: Vec<Vec<T>>,
 }
 
 impl<'a, T: Real> Writer<'a, T> {
@@ -166,7 +191,10 @@ impl<'a, T: Real> Writer<'a, T> {
             velocity,
             spin,
         } = member.moving;
-        let position = position.map(|x| self.tape.input(x));
+        let position = match member.mode {
+            Mode::Rests => position.map(|x| self.tape.constant(x)),
+            _ => position.map(|x| self.tape.input(x)),
+        };
         let velocity = match member.mode {
             Mode::Rests => [self.zero; 2],
             _ => velocity.map(|x| self.tape.input(x)),
@@ -345,7 +373,7 @@ impl<'a, T: Real> Writer<'a, T> {
             self.tape.difference(up, down),
         ];
         let square = self.dot(&slip, &slip);
-        let still = self.world.over();
+        let still = self.world.over(loudest(self.world, &self.group.members));
         if self.tape.value(square) <= still * still {
             return None;
         }
@@ -413,10 +441,15 @@ impl<'a, T: Real> Writer<'a, T> {
                     [self.tape.sum(push[0], x), self.tape.sum(push[1], y)]
                 }
             };
+            let rolls = self.world.rotation.is_some() && mode == Mode::Rests;
+            let loose = if mode == Mode::Rolls || rolls {
+                rolling.map(|x| self.tape.multiple(x, seven))
+            } else {
+                push
+            };
             let acceleration = match mode {
-                Mode::Slides | Mode::Drags | Mode::Floats => push,
-                Mode::Rolls => rolling.map(|x| self.tape.multiple(x, seven)),
                 Mode::Rests => [self.zero; 2],
+                _ => loose,
             };
             let turn = T::lift(2.5) * each / radius;
             let turning = match couple {
@@ -425,6 +458,7 @@ impl<'a, T: Real> Writer<'a, T> {
             };
             let response = Response {
                 acceleration,
+                loose,
                 rolling,
                 push,
                 turning,
@@ -434,15 +468,15 @@ impl<'a, T: Real> Writer<'a, T> {
         found
     }
 
-    /// What one unit of the force of contact `l` adds to the acceleration of the gap of contact `k`.
-    fn coupling(&mut self, contacts: &[Contact], k: usize, l: usize) -> Node {
+    /// What one unit of the force of contact `l` adds to the acceleration of the gap of contact `k`, by one part of its responses.
+    fn coupling(&mut self, contacts: &[Contact], k: usize, l: usize, of: Part) -> Node {
         let mut sum = self.zero;
         let normal = contacts[k].normal;
         let own: Vec<(usize, f64)> = contacts[k].responses.iter().map(|r| (r.0, r.1)).collect();
         for (member, sign) in own {
             let theirs = contacts[l].responses.iter().find(|r| r.0 == member);
             if let Some((_, _, response)) = theirs {
-                let part = self.dot(&normal, &response.acceleration);
+                let part = self.dot(&normal, &of(response));
                 let signed = self.tape.multiple(part, T::lift(sign));
                 sum = self.tape.sum(sum, signed);
             }
@@ -462,42 +496,30 @@ impl<'a, T: Real> Writer<'a, T> {
         sum
     }
 
-    /// The forces of the pressed contacts, by elimination.
+    /// The forces of the pressed contacts: those that move somebody, then those that hold who rests against them.
     fn forces(&mut self, contacts: &[Contact]) -> Vec<Option<Node>> {
-        let pressed = self.group.pressed();
-        let n = pressed.len();
-        let mut rows: Vec<Vec<Node>> = Vec::new();
-        for k in &pressed {
-            let mut row: Vec<Node> = Vec::new();
-            for l in &pressed {
-                row.push(self.coupling(contacts, *k, *l));
-            }
-            let free = self.free_opening(&contacts[*k], self.group.holds[*k].touch);
-            row.push(self.tape.multiple(free, -T::one()));
-            rows.push(row);
-        }
-        for pivot in 0..n {
-            for row in pivot + 1..n {
-                let above = rows[pivot].clone();
-                let factor = self.tape.quotient(rows[row][pivot], above[pivot]);
-                for (entry, above) in rows[row].iter_mut().zip(above).skip(pivot) {
-                    let part = self.tape.product(factor, above);
-                    *entry = self.tape.difference(*entry, part);
-                }
-            }
-        }
-        let mut solved: Vec<Node> = vec![self.zero; n];
-        for row in (0..n).rev() {
-            let mut left = rows[row][n];
-            for column in row + 1..n {
-                let part = self.tape.product(rows[row][column], solved[column]);
-                left = self.tape.difference(left, part);
-            }
-            solved[row] = self.tape.quotient(left, rows[row][row]);
-        }
         let mut force = vec![None; contacts.len()];
-        for (k, node) in pressed.into_iter().zip(solved) {
-            force[k] = Some(node);
+        for rest in [false, true] {
+            let pressed = self.group.pressed().into_iter();
+            let pressed = pressed.filter(|k| self.group.rests(self.group.holds[*k].touch) == rest);
+            let pressed: Vec<usize> = pressed.collect();
+            let of: Part = if rest {
+                |response| response.loose
+            } else {
+                |response| response.acceleration
+            };
+            let mut rows: Vec<Vec<Node>> = Vec::new();
+            let mut closing = Vec::new();
+            for k in &pressed {
+                let row = pressed.iter();
+                let row = row.map(|l| self.coupling(contacts, *k, *l, of));
+                rows.push(row.collect());
+                let free = self.opening(contacts, &force, *k);
+                closing.push(self.tape.multiple(free, -T::one()));
+            }
+            for (k, node) in pressed.iter().zip(self.tape.solution(&rows, &closing)) {
+                force[*k] = Some(node);
+            }
         }
         force
     }
@@ -564,8 +586,11 @@ impl<'a, T: Real> Writer<'a, T> {
                     let presses = self.tape.sum(room, node);
                     let opens = self.tape.difference(room, node);
                     self.watch(Change::Presses(k), presses);
-                    self.watch(Change::Opens(k), opens);
-                    opening[k] = Some(node);
+                    // who rests stays, whichever way the gap would go
+                    if !self.group.rests(self.group.holds[k].touch) {
+                        self.watch(Change::Opens(k), opens);
+                        opening[k] = Some(node);
+                    }
                 }
             }
         }
@@ -582,12 +607,18 @@ impl<'a, T: Real> Writer<'a, T> {
         }
     }
 
-    /// Acceleration of the gap of a contact without force.
+    /// Acceleration of the gap of a contact by the forces that are known; where all rest, what it would be.
     fn opening(&mut self, contacts: &[Contact], force: &[Option<Node>], k: usize) -> Node {
-        let mut sum = self.free_opening(&contacts[k], self.group.holds[k].touch);
+        let touch = self.group.holds[k].touch;
+        let of: Part = if self.group.rests(touch) {
+            |response| response.loose
+        } else {
+            |response| response.acceleration
+        };
+        let mut sum = self.free_opening(&contacts[k], touch);
         for (l, force) in force.iter().enumerate() {
             if let Some(force) = *force {
-                let coupling = self.coupling(contacts, k, l);
+                let coupling = self.coupling(contacts, k, l, of);
                 let part = self.tape.product(coupling, force);
                 sum = self.tape.sum(sum, part);
             }

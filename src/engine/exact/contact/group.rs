@@ -11,6 +11,7 @@
 
 use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::spin::Moving;
+use crate::engine::exact::world::World;
 use crate::math::Real;
 use crate::physics::Side;
 
@@ -146,4 +147,10 @@ impl<T: Real> Group<T> {
             .filter(|k| self.holds[*k].pressed)
             .collect()
     }
+}
+
+/// The largest speed of members and of their surfaces, length/s.
+pub fn loudest<T: Real>(world: &World<T>, members: &[Member<T>]) -> T {
+    let each = members.iter().map(|m| world.loudness(m.ball, &m.moving));
+    each.fold(T::zero(), T::at_least)
 }

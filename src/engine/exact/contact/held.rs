@@ -17,6 +17,8 @@ pub struct Held<T> {
     pub start: T,
     /// Stretches without any length that came before this one.
     pub stuck: u32,
+    /// Stretches since something last changed.
+    pub unchanged: u32,
 }
 
 impl<T: Real> Held<T> {

@@ -10,10 +10,13 @@ use crate::math::Real;
 use crate::math::first_root::Blur;
 
 /// Steps of a search, at most.
-const STEPS: usize = 4096;
+const STEPS: usize = 1024;
 
 /// Halvings of the time in which a parting gap is looked for.
 const HALVINGS: i32 = 60;
+
+/// Times at which a gap is looked at that no bound of its acceleration tells of.
+const LOOKS: u32 = 256;
 
 /// A gap beyond this many errors of a position is one.
 const CLEAR: f64 = 16.0;
@@ -42,6 +45,23 @@ impl<T: Real> Path<'_, T> {
         }
     }
 
+    /// Its acceleration at time `t`, s, length/s^2.
+    fn acceleration(&self, t: T) -> [T; 2] {
+        match self {
+            Path::Flight(flight) => flight.acceleration,
+            Path::Series(series, start) => series.acceleration(t - *start),
+            Path::Place(_) => [T::zero(); 2],
+        }
+    }
+
+    /// How fast that changes, length/s^3, at most.
+    fn jerk(&self) -> T {
+        match self {
+            Path::Series(series, _) => T::lift(series.jerk),
+            Path::Flight(_) | Path::Place(_) => T::zero(),
+        }
+    }
+
     /// Its acceleration is no larger than this, length/s^2.
     fn strongest(&self) -> T {
         match self {
@@ -55,21 +75,33 @@ impl<T: Real> Path<'_, T> {
     }
 }
 
+/// How fast the rate of a gap between two paths may fall at any time of a span, s: how far they part sideways only slows that down.
+pub fn falls<T: Real>(one: Path<'_, T>, other: Path<'_, T>, [from, until]: [T; 2]) -> T {
+    let (first, second) = (one.acceleration(from), other.acceleration(from));
+    let [x, y] = [0, 1].map(|axis| second[axis] - first[axis]);
+    let changes = (one.jerk() + other.jerk()) * (until - from).at_least(T::zero());
+    let now = (x * x + y * y).sqrt();
+    (now + changes).at_most(one.strongest() + other.strongest())
+}
+
 /// A gap that may close: its size and its rate, both at a time, and how much the rate may fall in a second.
 pub struct Gap<'a, T> {
     /// Size, length, and rate, length/s, at a time, s.
     pub at: &'a dyn Fn(T) -> (T, T),
     /// The rate falls no faster than this, length/s^2.
     pub falls: T,
+    /// A rate of no more than this is rounding, length/s.
+    pub still: T,
 }
 
-/// The gap between two discs that touch at `distance`.
+/// The gap between two discs that touch at `distance`, and how fast its rate may fall at any time of a span, s.
 pub fn between<'a, T: Real>(
     one: Path<'a, T>,
     other: Path<'a, T>,
     distance: T,
+    span: [T; 2],
 ) -> (impl Fn(T) -> (T, T) + 'a, T) {
-    let falls = one.strongest() + other.strongest();
+    let falls = falls(one, other, span);
     let at = move |t: T| {
         let ((p, v), (q, w)) = (one.at(t), other.at(t));
         let (x, y) = (q[0] - p[0], q[1] - p[1]);
@@ -80,7 +112,7 @@ pub fn between<'a, T: Real>(
     (at, falls)
 }
 
-/// The first time from `from` on, up to `until`, s, at which the gap has closed and goes on closing. `parting`: the gap begins at nothing and has to
+/// The first time from `from` on, up to `until`, s, at which the gap has closed and goes on closing. `parting`: a gap that begins at nothing has to
 /// open first.
 pub fn closes<T: Real>(
     gap: &Gap<'_, T>,
@@ -90,17 +122,24 @@ pub fn closes<T: Real>(
 ) -> Option<T> {
     let zero = T::zero();
     let mut t = from;
-    if parting {
-        let clear = blur.length * T::lift(CLEAR);
-        let (begins, _) = (gap.at)(from);
-        let open = (0..=HALVINGS).rev().find_map(|halvings| {
-            let t = from + (until - from) * T::lift(0.5_f64.powi(halvings));
+    let clear = blur.length * T::lift(CLEAR);
+    let (begins, rate) = (gap.at)(from);
+    // its rate does not tell what a gap does that begins at nothing; parties that have parted meet again like any others
+    if begins <= clear && (parting || rate >= -gap.still) {
+        let looks = (0..=HALVINGS).rev();
+        let looks = looks.map(|halvings| from + (until - from) * T::lift(0.5_f64.powi(halvings)));
+        let mut before = from;
+        let told = looks.into_iter().find_map(|t| {
             let opened = (gap.at)(t).0 - begins;
-            (opened.abs() > clear).then_some((t, opened))
+            let told = (opened.abs() > clear).then_some((before, t, opened));
+            before = t;
+            told
         });
-        match open {
-            Some((opens, opened)) if opened > zero => t = opens,
-            Some((closes, _)) => return Some(closes),
+        match told {
+            Some((_, opens, opened)) if opened > zero => t = opens,
+            Some((before, closes, _)) => {
+                return Some(crossing(gap, [before, closes], begins - blur.length));
+            }
             None => return None,
         }
     }
@@ -111,7 +150,7 @@ pub fn closes<T: Real>(
         }
         let (size, rate) = (gap.at)(t);
         let closed = size <= blur.length;
-        if closed && rate < -blur.speed {
+        if closed && rate < -gap.still {
             return Some(t);
         }
         // within this time the gap cannot close: size + rate s - falls s^2 / 2 >= 0
@@ -126,7 +165,7 @@ pub fn closes<T: Real>(
             return None;
         };
         if step <= tick(t) {
-            if rate < -blur.speed {
+            if rate < -gap.still {
                 return Some(t);
             }
             // it touches without closing in: to where rounding lets it tell
@@ -135,5 +174,27 @@ pub fn closes<T: Real>(
             t += step;
         }
     }
-    None
+    // parties that go nearly alongside, for which that bound is far too careful
+    let mut before = t;
+    let looks =
+        (1..=LOOKS).map(|look| t + (until - t) * T::lift(f64::from(look) / f64::from(LOOKS)));
+    looks.into_iter().find_map(|t| {
+        let closed = (gap.at)(t).0 < -blur.length;
+        let found = closed.then(|| crossing(gap, [before, t], zero));
+        before = t;
+        found
+    })
+}
+
+/// When a gap falls to a size between two times, s, of which it is larger at the first and smaller at the second.
+fn crossing<T: Real>(gap: &Gap<'_, T>, [mut low, mut high]: [T; 2], size: T) -> T {
+    for _ in 0..HALVINGS {
+        let middle = (low + high) * T::lift(0.5);
+        if (gap.at)(middle).0 < size {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    high
 }

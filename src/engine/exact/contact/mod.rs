@@ -2,7 +2,7 @@
 //!
 //! - [`touching`]: which balls touch, and velocities and places in which they do and nothing more; [`decide`]: which of their contacts carry a force.
 //! - [`group`]: who is held together; `equations`: of their common motion; [`arc`]: its solution, by power series, up to the next change.
-//! - [`held`]: the groups of a run; [`meet`], `row`: what meets their balls.
+//! - [`held`]: the groups of a run; [`domain`]: in which scenes; [`meet`], `row`: what meets their balls.
 //!
 //! Not built: friction that holds two balls without slip; what Han's and Mathavan's cushions
 //! do to a ball that lies against them, which is taken for smooth; derivatives, which end where a contact begins.
@@ -13,6 +13,7 @@
 
 pub mod arc;
 pub mod decide;
+pub mod domain;
 mod equations;
 pub mod group;
 pub mod held;

@@ -1,7 +1,7 @@
 //! The next event of a ball while something is held or parts: the same as in `predict`, with what moves along a series searched by `meet`.
 
 use super::held::Held;
-use super::meet::{Gap, Path, between, closes};
+use super::meet::{Gap, Path, between, closes, falls};
 use crate::engine::exact::encounter::Encounter;
 use crate::engine::exact::flight::Phase;
 use crate::engine::exact::predict::{Row, Watch, later};
@@ -41,6 +41,16 @@ impl<'a, T: Real> Row<'a, T> {
             Some((series, start)) => Path::Series(series, start),
             None => Path::Flight(flight),
         }
+    }
+
+    /// What rounding makes of the rate of a gap at time `t`, s, length/s.
+    fn still(&self, parties: &[Path<'_, T>], t: T, distance: T) -> T {
+        let speeds = parties.iter().map(|path| {
+            let (_, [x, y]) = path.at(t);
+            (x * x + y * y).sqrt()
+        });
+        let speed = speeds.fold(T::zero(), |sum, speed| sum + speed);
+        self.balls.world().grain_of_rate(speed, distance)
     }
 
     /// Replaces `best` by an event that precedes it, where something is held or parts.
@@ -132,13 +142,14 @@ impl<'a, T: Real> Row<'a, T> {
             return;
         }
         let world = self.balls.world();
+        let parting = self.parts_from(other);
+        let [from, until] = self.span(best, self.flight.end.at_most(partner.end));
         let (at, falls) = between(
             self.path(),
             self.path_of(other, partner),
             world.distance(self.ball, other),
+            [from, until],
         );
-        let parting = self.parts_from(other);
-        let [from, until] = self.span(best, self.flight.end.at_most(partner.end));
         if let Some(watch) = watch
             && !parting
             && at(from).0 <= watch.reach()
@@ -146,7 +157,15 @@ impl<'a, T: Real> Row<'a, T> {
             watch.note(pair);
         }
         *searches += 1;
-        let gap = Gap { at: &at, falls };
+        let gap = Gap {
+            at: &at,
+            falls,
+            still: self.still(
+                &[self.path(), self.path_of(other, partner)],
+                from,
+                world.distance(self.ball, other),
+            ),
+        };
         if let Some(time) = closes(&gap, [from, until], parting, &world.blur) {
             let (first, second) = (self.ball.min(other) as u32, self.ball.max(other) as u32);
             self.take(best, time, What::Pair(first, second), self.stamp(other));
@@ -173,7 +192,6 @@ impl<'a, T: Real> Row<'a, T> {
             return;
         };
         let path = self.path();
-        let falls = between(path, Path::Place([T::zero(); 2]), T::zero()).1;
         for side in Side::ALL {
             let encounter = Encounter::Cushion(self.ball, side);
             let touches = held.is_some_and(|held| held.encounters().contains(&encounter));
@@ -195,7 +213,11 @@ impl<'a, T: Real> Row<'a, T> {
                 watch.note(encounter);
             }
             *searches += 1;
-            let gap = Gap { at: &at, falls };
+            let gap = Gap {
+                at: &at,
+                falls: falls(path, Path::Place([T::zero(); 2]), [from, until]),
+                still: self.still(&[self.path()], from, world.radius[self.ball]),
+            };
             if let Some(time) = closes(&gap, [from, until], parts(side), &world.blur) {
                 self.take(best, time, What::Cushion(self.ball as u32, side), 0);
             }
@@ -205,10 +227,14 @@ impl<'a, T: Real> Row<'a, T> {
     fn pockets_beside(&self, best: &mut Candidate<T>, searches: &mut u64) {
         let world = self.balls.world();
         for (pocket, [x, y, radius]) in world.pockets.iter().enumerate() {
-            let (at, falls) = between(self.path(), Path::Place([*x, *y]), *radius);
             let span = self.span(best, self.flight.end);
+            let (at, falls) = between(self.path(), Path::Place([*x, *y]), *radius, span);
             *searches += 1;
-            let gap = Gap { at: &at, falls };
+            let gap = Gap {
+                at: &at,
+                falls,
+                still: self.still(&[self.path()], span[0], *radius),
+            };
             if let Some(time) = closes(&gap, span, false, &world.blur) {
                 let what = What::Pocket(self.ball as u32, pocket as u32);
                 self.take(best, time, what, 0);

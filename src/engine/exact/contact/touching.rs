@@ -1,20 +1,27 @@
 //! Balls that touch: which do, and how fast their gaps change.
 
-use super::decide::settle;
-use super::group::{Group, Hold, Member, Mode, Touch};
+use super::decide::resettle;
+use super::group::{Group, Hold, Member, Mode, Touch, loudest};
 use crate::engine::exact::agenda::Agenda;
 use crate::engine::exact::encounter::{Encounter, rate_between, rate_to};
 use crate::engine::exact::kinematics::Kinematics;
 use crate::engine::exact::spin::Moving;
 use crate::engine::exact::world::World;
 use crate::math::Real;
+use crate::math::linear::Factors;
 use crate::physics::Side;
 
-/// Parties that touch and approach or part by no more than this many roundings of the fastest ball do neither.
-pub const STEADY: f64 = 64.0;
+/// Parties that touch and approach or part by no more than this many roundings of their speeds do neither.
+const STEADY: f64 = 64.0;
 
 /// Rounds in which what is left of approach and parting is taken out of contacts that share balls.
 const ROUNDS: usize = 200;
+
+/// Rounds in which they are taken out all together, at most.
+const NEWTON: usize = 8;
+
+/// Contacts whose system has a pivot of no more than this part of its largest entry depend on each other.
+const SINGULAR: f64 = 1e-9;
 
 /// What is left of a gap or an approach is none at this part of the rounding of the farthest or the fastest ball.
 const ULPS: f64 = 0.125;
@@ -26,6 +33,8 @@ pub struct Steady<T> {
     pub near: T,
     /// A gap that changes no faster than this, length/s.
     pub slow: T,
+    /// Or by no more than this many roundings.
+    pub roundings: f64,
 }
 
 impl<T: Real> Steady<T> {
@@ -33,8 +42,15 @@ impl<T: Real> Steady<T> {
     pub fn of(world: &World<T>) -> Self {
         Steady {
             near: world.touching,
-            slow: world.blur.speed * T::lift(STEADY),
+            slow: T::zero(),
+            roundings: STEADY,
         }
+    }
+
+    /// A gap between parties of this speed that touch at this distance changes no faster than this, length/s, if it does not change.
+    pub fn slowest(&self, world: &World<T>, speed: T, distance: T) -> T {
+        let grain = world.grain_of_rate(speed, distance);
+        self.slow.at_least(grain * T::lift(self.roundings))
     }
 }
 
@@ -77,6 +93,17 @@ pub fn rate<T: Real>(members: &[Member<T>], touch: Touch) -> T {
     }
 }
 
+/// The gap of these parties changes no faster than this now, length/s, if it does not change.
+pub fn slowest<T: Real>(balls: &Kinematics<'_, T>, encounter: Encounter, steady: &Steady<T>) -> T {
+    let world = balls.world();
+    let loudness = |ball: usize| world.loudness(ball, &balls.moving(ball));
+    let (speed, distance) = match encounter {
+        Encounter::Pair(a, b) => (loudness(a).at_least(loudness(b)), world.distance(a, b)),
+        Encounter::Cushion(a, _) => (loudness(a), world.radius[a]),
+    };
+    steady.slowest(world, speed, distance)
+}
+
 /// What touches a ball now and neither approaches nor parts from it.
 pub fn touching<T: Real>(
     balls: &Kinematics<'_, T>,
@@ -86,7 +113,7 @@ pub fn touching<T: Real>(
 ) -> Vec<Encounter> {
     let touches = |encounter: &Encounter| {
         balls.gap(*encounter) <= steady.near
-            && balls.rate(*encounter).abs() <= steady.slow
+            && balls.rate(*encounter).abs() <= slowest(balls, *encounter, steady)
             && !balls.is_parting(*encounter)
     };
     let mut found = Vec::new();
@@ -149,17 +176,13 @@ pub fn keep_contacts<T: Real>(world: &World<T>, members: &mut [Member<T>], touch
 /// Takes out of balls what is left of approach and parting of contacts, by impulses along them to which each ball answers as what it does lets it: the
 /// nearest velocities by kinetic energy, which it never raises.
 pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
-    let none = world.blur.speed * T::lift(ULPS);
+    let speed = loudest(world, members);
+    let none = world.grain(speed) * T::lift(ULPS);
     even_out(world, members, touches, none, rate, |moving| {
         &mut moving.velocity
     });
     for m in members {
-        // what rolled or dragged by no more than that rests: nothing has a direction any more
-        let stands = m.moving.velocity == [T::zero(); 2];
-        if stands && matches!(m.mode, Mode::Rolls | Mode::Drags) {
-            m.mode = Mode::Rests;
-        }
-        settle(world.radius[m.ball], m.mode, &mut m.moving);
+        resettle(world, m, world.over(speed));
     }
 }
 
@@ -182,7 +205,64 @@ pub fn close_gaps<T: Real>(world: &World<T>, members: &mut [Member<T>], touches:
     });
 }
 
-/// Takes out what contacts are `off` by, one after the other, until no more than `none` is left: each party gives by its part of the mass that answers.
+/// What a push along a contact moves: each party by how much for one unit, and where to.
+struct Push<T> {
+    parties: Vec<(usize, [T; 2])>,
+    /// The outward normal of the first party.
+    normal: [T; 2],
+}
+
+impl<T: Real> Push<T> {
+    /// Of a contact whose parties each give by their part of the mass that answers.
+    fn of(world: &World<T>, members: &[Member<T>], touch: Touch) -> Self {
+        let gives = |m: usize| {
+            let part = match members[m].mode {
+                Mode::Rests => T::zero(),
+                Mode::Rolls => T::lift(5.0) / T::lift(7.0),
+                Mode::Slides | Mode::Drags | Mode::Floats => T::one(),
+            };
+            part / world.mass[members[m].ball]
+        };
+        let lightness = |m: usize| T::one() / world.mass[members[m].ball];
+        let normal = match touch {
+            Touch::Cushion(_, side) => {
+                let mut n = [T::zero(); 2];
+                n[side.axis()] = T::lift(f64::from(side.sign()));
+                n
+            }
+            Touch::Pair(a, b) => {
+                let p = between(members, a, b);
+                let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
+                p.map(|p| p / size)
+            }
+        };
+        // where all rest, only places can be off
+        let rest = touch.members().all(|(m, _)| gives(m) == T::zero());
+        let parties = touch.members().map(|(m, sign)| {
+            let size = if rest { lightness(m) } else { gives(m) };
+            (m, normal.map(|n| n * T::lift(-sign) * size))
+        });
+        Push {
+            parties: parties.collect(),
+            normal,
+        }
+    }
+
+    /// How much of what this contact is off by one unit of another's push takes out.
+    fn takes_out(&self, other: &Push<T>) -> T {
+        let mut sum = T::zero();
+        for (place, (m, _)) in self.parties.iter().enumerate() {
+            let moved = other.parties.iter().find(|(other, _)| other == m);
+            if let Some((_, way)) = moved {
+                let along = self.normal[0] * way[0] + self.normal[1] * way[1];
+                sum += if place == 0 { along } else { -along };
+            }
+        }
+        sum
+    }
+}
+
+/// Takes out what contacts are `off` by, until no more than `none` is left: all together where they are independent, otherwise one after the other.
 fn even_out<T: Real>(
     world: &World<T>,
     members: &mut [Member<T>],
@@ -191,50 +271,41 @@ fn even_out<T: Real>(
     off: impl Fn(&[Member<T>], Touch) -> T,
     part: impl Fn(&mut Moving<T>) -> &mut [T; 2],
 ) {
-    let gives = |m: &Member<T>| {
-        let part = match m.mode {
-            Mode::Rests => T::zero(),
-            Mode::Rolls => T::lift(5.0) / T::lift(7.0),
-            Mode::Slides | Mode::Drags | Mode::Floats => T::one(),
-        };
-        part / world.mass[m.ball]
+    let largest = |offs: &[T]| {
+        offs.iter()
+            .fold(T::zero(), |most, off| most.at_least(off.abs()))
     };
-    for _ in 0..ROUNDS {
-        let mut most = T::zero();
-        for touch in touches {
-            let off = off(members, *touch);
-            most = most.at_least(off.abs());
-            let (first, second, n) = match *touch {
-                Touch::Cushion(a, side) => {
-                    let mut n = [T::zero(); 2];
-                    n[side.axis()] = T::lift(f64::from(side.sign()));
-                    (a, None, n)
-                }
-                Touch::Pair(a, b) => {
-                    let p = between(members, a, b);
-                    let size = (p[0] * p[0] + p[1] * p[1]).sqrt();
-                    (a, Some(b), p.map(|p| p / size))
-                }
-            };
-            let one = gives(&members[first]);
-            let other = second.map_or(T::zero(), |b| gives(&members[b]));
-            // where all rest, only places can be off
-            let (one, other) = if one + other == T::zero() {
-                let lightness = |m: usize| T::one() / world.mass[members[m].ball];
-                (lightness(first), second.map_or(T::zero(), lightness))
-            } else {
-                (one, other)
-            };
-            let push = off / (one + other);
-            for (k, n) in n.into_iter().enumerate() {
-                part(&mut members[first].moving)[k] += n * push * one;
-                if let Some(b) = second {
-                    part(&mut members[b].moving)[k] -= n * push * other;
-                }
+    let give_way = |members: &mut [Member<T>], push: &Push<T>, size: T| {
+        for (m, way) in &push.parties {
+            for (k, way) in way.iter().enumerate() {
+                part(&mut members[*m].moving)[k] += *way * size;
             }
         }
+    };
+    for round in 0..ROUNDS {
+        let offs: Vec<T> = touches.iter().map(|touch| off(members, *touch)).collect();
+        let most = largest(&offs);
         if most <= none {
             return;
+        }
+        let pushes = touches.iter().map(|touch| Push::of(world, members, *touch));
+        let pushes: Vec<Push<T>> = pushes.collect();
+        let row = |k: &Push<T>| pushes.iter().map(|l| k.takes_out(l)).collect();
+        let rows: Vec<Vec<T>> = pushes.iter().map(row).collect();
+        let size = rows.iter().flatten();
+        let size = size.fold(T::zero(), |most, x| most.at_least(x.abs()));
+        let regular = (round < NEWTON).then(|| Factors::of(rows, size * T::lift(SINGULAR)));
+        if let Some(factors) = regular.flatten() {
+            let mut sizes = offs;
+            factors.solve(&mut sizes);
+            for (push, size) in pushes.iter().zip(sizes) {
+                give_way(members, push, size);
+            }
+            continue;
+        }
+        for (touch, push) in touches.iter().zip(&pushes) {
+            let size = off(members, *touch) / push.takes_out(push);
+            give_way(members, push, size);
         }
     }
 }
