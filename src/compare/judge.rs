@@ -67,11 +67,11 @@ pub fn worst_overlap(
             _ => f64::INFINITY,
         })
         .collect();
-    let contacts = Contacts::of(trace);
+    let contacts = trace.follows_contacts().then(|| Contacts::of(trace));
     let (mut worst, mut share) = (None, 0.0);
     for time in times {
         // between knots of its own a ball in contact is elsewhere than they say, by so much
-        let unexplained = |ball: usize| {
+        let unexplained = |contacts: &Contacts, ball: usize| {
             let own = knots(ball).binary_search_by(|knot| knot.time.total_cmp(&time));
             if own.is_err() && contacts.during(ball, [time; 2]) {
                 UNEXPLAINED_IN_CONTACT * scene.balls[ball].radius
@@ -86,8 +86,11 @@ pub fn worst_overlap(
             })
             .collect();
         for (balls, depth) in overlaps_at(&shapes, &states) {
-            let depth = depth - unexplained(balls.0) - unexplained(balls.1);
-            let part = (depth / allowed(balls.0, balls.1)).max(0.0);
+            let depth = contacts.as_ref().map_or(depth, |contacts| {
+                let [a, b] = [balls.0, balls.1].map(|ball| unexplained(contacts, ball));
+                depth - a - b
+            });
+            let part = depth / allowed(balls.0, balls.1);
             if worse(part, share).to_bits() != share.to_bits() {
                 (worst, share) = (Some(Overlap { balls, time, depth }), part);
             }
