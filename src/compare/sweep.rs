@@ -23,6 +23,8 @@ pub struct Sweep {
     pub casts: u64,
     /// Pairs that were given up: too many questions, or an allowance as large as a ball.
     pub given_up: u64,
+    /// Pairs that were given up because their balls, in contact or where one has left them, need too many questions: they are held at their knots.
+    pub lasting: u64,
     /// The first overlap of each pair: the balls and s.
     pub overlaps: Vec<(usize, usize, f64)>,
     /// Centres beyond where their cushions let them be: ball, side, s.
@@ -159,7 +161,13 @@ fn overlap_of(
                 return Some(span[0] + t);
             }
             if seen.casts >= most {
-                seen.given_up += 1;
+                // or rest where a contact has left them
+                let until = [0.0, span[1]];
+                if contacts.during(a, until) && contacts.during(b, until) {
+                    seen.lasting += 1;
+                } else {
+                    seen.given_up += 1;
+                }
                 return None;
             }
             // the last piece may be shorter than the clock resolves

@@ -14,7 +14,7 @@ const ROUNDINGS: f64 = 4.0;
 /// Surfaces that touch by a scalar's own account are this many errors of a position apart, at most.
 const RESOLVED: f64 = 16.0;
 
-/// What turns while it ends is over at this many roundings of the fastest ball.
+/// What turns while it ends is over at this many roundings of the speeds of its balls.
 const OVER: f64 = 64.0;
 
 /// Rounding will soon say how impacts go on when an approach is this many times what it makes of one.

@@ -330,7 +330,7 @@ impl RandomEntry {
         if let Some(sweep) = &verdict.sweep {
             self.swept += 1;
             self.casts += sweep.casts;
-            self.given_up += sweep.given_up;
+            self.given_up += sweep.given_up + sweep.lasting;
         }
         if let Some(laws) = &verdict.laws {
             self.laws.see(laws, scene);

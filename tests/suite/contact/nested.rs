@@ -2,8 +2,7 @@
 
 use carom::engine::exact::{Exact, solve};
 use carom::engine::{Engine, Limits, Setting};
-use carom::math::{DoubleDouble, Real};
-use carom::physics::State;
+use carom::physics::{Cloth, State};
 use carom::scene::perturb::{Law, Perturbation};
 use carom::scene::{Scene, catalogue, parse};
 use carom::study::random::{check, scene};
@@ -116,25 +115,70 @@ fn a_gap_that_closes_by_its_rate_alone_is_not_closed_before() {
 }
 
 #[test]
-fn pressed_breaks_of_the_catalogue_come_to_rest_where_a_hundred_bits_say() {
-    for name in ["report-break-pressed", "rack-lossy"] {
-        let scene = catalogue::scene(name).unwrap();
-        let fine = solve::<DoubleDouble>(&scene, &Limits::NONE);
-        let coarse = solve::<f64>(&scene, &Limits::NONE);
-        for trace in [&coarse.trace, &fine.trace] {
-            assert_eq!(trace.ending, Ending::Rest, "{name}");
-            let gained = trace.extrema.energy_gained.value;
-            assert!(
-                gained <= 1e-12 * scene.initial_energy(),
-                "{name}: {gained:e}"
-            );
+fn random_scenes_in_which_followed_contacts_broke_a_law_hold_all() {
+    let scenes = [
+        // a ball pinned in a corner crept into it, and lost its numbers
+        (100, 906),
+        (100, 1919),
+        // a row of seventeen contacts was too many
+        (100, 46),
+        // an impact at a distance of 4e-4, of parties that had parted and met again
+        (100, 2614),
+        // one that was missed where a ball that was held crossed a cell
+        (13, 1801),
+        // a spin about the vertical that ended untold, and a slip
+        (100, 400),
+        (100, 826),
+        // knots of balls in contact at times of their own
+        (100, 1872),
+        // a row in which balls that were let go crept apart or together
+        (13, 1392),
+        (102, 887),
+        // slips that were none
+        (100, 137),
+        (100, 2807),
+    ];
+    for (seed, index) in scenes {
+        let scene = random(seed, index);
+        let trace = followed(&scene);
+        assert!(trace.follows_contacts(), "seed {seed}, {index}: no contact");
+        let faults = check(&scene, &trace, true).faults;
+        assert!(faults.is_empty(), "seed {seed}, {index}: {faults:?}");
+    }
+}
+
+#[test]
+fn each_bound_of_the_sizes_in_which_contacts_are_followed_ends_a_run_beyond_it() {
+    let pressed = catalogue::scene("rack-lossy").unwrap();
+    let ends = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = pressed.clone();
+        change(&mut scene);
+        let run = Exact.prepare(&scene, &Setting::default()).unwrap();
+        run.simulate(Record::Final, &budget()).follows_contacts()
+    };
+    assert!(ends(&|_| {}), "nothing is changed");
+    assert!(
+        ends(&|scene| scene.balls[5].mass *= 9.0),
+        "nine times the mass"
+    );
+    assert!(!ends(&|scene| scene.balls[5].mass *= 11.0), "eleven times");
+    let cloth = |mu: [f64; 3]| {
+        move |scene: &mut Scene| {
+            scene.effects.cloth = Some(Cloth::Rotational {
+                mu_slide: mu[0],
+                mu_roll: mu[1],
+                mu_spin: mu[2],
+            });
         }
-        // growth of errors of 1e6 and less: `carom run NAME --engine exact`
-        let radius = scene.balls[0].radius;
-        for (ball, (a, b)) in coarse.positions.iter().zip(&fine.positions).enumerate() {
-            let off = [0, 1].map(|axis| (a[axis] - b[axis].to_f64()).abs());
-            assert!(off[0].max(off[1]) < 1e-8 * radius, "{name} {ball}: {off:?}");
-        }
+    };
+    assert!(ends(&cloth([0.2, 0.01, 0.01])), "a pool cloth");
+    for mu in [
+        [9e-4, 0.0, 0.01],
+        [0.2, 0.21, 0.01],
+        [0.2, 0.01, 1.1],
+        [1.1, 0.01, 0.01],
+    ] {
+        assert!(!ends(&cloth(mu)), "{mu:?}");
     }
 }
 

@@ -15,7 +15,7 @@ pub const ANSWERED_ELSEWHERE: [&str; 10] = [
     "report-break-tight",
     "report-break-tight-mirrored",
     "triple-hit-reflections",
-    // contact::nested
+    // contact::phase
     "report-break-pressed",
     "rack-lossy",
 ];

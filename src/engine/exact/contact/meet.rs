@@ -198,3 +198,45 @@ fn crossing<T: Real>(gap: &Gap<'_, T>, [mut low, mut high]: [T; 2], size: T) -> 
     }
     high
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// When a gap closes that begins with a size, a rate and an acceleration; one that falls by 1 length/s^2 at most, for all that is known.
+    fn closing(size: f64, rate: f64, acceleration: f64, parting: bool) -> Option<f64> {
+        let at = |t: f64| {
+            let half = 0.5 * acceleration * t;
+            (size + (rate + half) * t, rate + acceleration * t)
+        };
+        let gap = Gap {
+            at: &at,
+            falls: 1.0,
+            still: 1e-18,
+        };
+        let blur = Blur {
+            length: 1e-16,
+            speed: 0.0,
+        };
+        closes(&gap, [0.0, 1.0], parting, &blur)
+    }
+
+    #[test]
+    fn parties_that_touch_and_go_nearly_alongside_close_where_their_gap_has_no_size_any_more() {
+        // opens by its rate, by less than rounding, and closes by an acceleration far below what bounds it
+        let found = closing(-7e-17, 1e-13, -2e-9, false).unwrap_or(f64::NAN);
+        let size = -7e-17 + (1e-13 - 1e-9 * found) * found;
+        // what it begins with and what is clear of it are told apart no better
+        assert!(size.abs() <= CLEAR * 1e-16, "{found}: {size:e}");
+    }
+
+    #[test]
+    fn parties_that_have_parted_do_not_meet_before_their_gap_is_closed() {
+        let found = closing(0.25, -0.5, 0.0, true).unwrap_or(f64::NAN);
+        assert!((found - 0.5).abs() < 1e-12, "{found}");
+        // and those that part from contact meet when they come back
+        let found = closing(0.0, 0.25, -1.0, true).unwrap_or(f64::NAN);
+        assert!((found - 0.5).abs() < 1e-12, "{found}");
+        assert_eq!(closing(0.0, 0.25, 0.0, true), None);
+    }
+}
