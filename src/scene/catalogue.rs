@@ -41,7 +41,7 @@ macro_rules! entries {
 
 /// Every scene, in the order in which reports list them: the report's shot, single laws, several balls, known answers,
 /// then the shots that call for rotation, one at a time, what the gate needs to go through every branch and key, the effect ladder and
-/// real breaks; last the hard cases by what they provoke: simultaneous contacts, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
+/// real breaks; last the hard cases by what they provoke: simultaneous contacts, impacts that shrink and contacts that last, grazes, speeds, cloths, masses, lengths, restitution, rotation, habits of engines.
 // long: the list of scenes, one a line
 pub fn all() -> &'static [CatalogueEntry] {
     entries![
@@ -130,6 +130,19 @@ pub fn all() -> &'static [CatalogueEntry] {
         "frozen-to-ball-and-cushion",
         "frozen-in-corner",
         "corner-double-hit",
+        "soft-break-2ms",
+        "soft-break-4ms",
+        "accumulate-three",
+        "accumulate-four-lossy",
+        "press-plastic",
+        "clay-follow",
+        "press-follow",
+        "press-off-line",
+        "press-three",
+        "press-cushion",
+        "one-on-two-lossy",
+        "two-at-once-lossy",
+        "frozen-pair-combination",
         "thin-cut-1e-2",
         "thin-cut-1e-6",
         "thin-cut-1e-12",

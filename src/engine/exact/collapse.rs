@@ -2,10 +2,10 @@
 //!
 //! An event-driven run can be asked for infinitely many impacts before some time. Inelastic balls that are pressed together do it with intervals
 //! that shrink by a factor each time, and so do elastic ones on a cloth (by .78 where a sliding ball presses on a rolling one), because rolling gives
-//! back 2/7 of each impulse; only elastic balls that slide or meet no cloth do not. Where the impacts of one encounter have a limit the run goes on
-//! from it (`contact::tail`). This room is for those where none is found, such as several encounters that shrink together: no number of
-//! events gets past their time, so the run must end and say so. One sign is counted for each ball: it is hit again and again while the clock
-//! stands still (its time advances by less than rounding).
+//! back 2/7 of each impulse; only elastic balls that slide or meet no cloth do not. Where contacts are followed the run goes on from the limit
+//! (`finer`, `contact::limit`). This room is for where they are not, and for balls without a cloth: no number of events gets past the limit's time, so the
+//! run must end and say so. One sign is counted for each ball: it is hit again and again while the clock stands still (its time advances by less
+//! than rounding).
 //!
 //! Intervals that shrink by a fixed part lead to it: a geometric sequence reaches the resolution of the clock after
 //! `log(resolution) / log(ratio)` impacts and stands still from there on. Nothing that ends by itself is cut short.

@@ -3,15 +3,16 @@
 //! Two balls that the cloth presses together, one that knocks at a third meanwhile, a chain of them: the gaps between impacts sink below the rounding of a
 //! coordinate long before their limit. No limit is looked for, which for several encounters together would be hard. The run goes on in the next scalar with
 //! more digits, with all balls, by the same laws and into the same trace, until nothing slow happens any more. There an approach that is nothing to
-//! the first scalar is taken out by impulses to which every ball answers as it rolls, slides or rests, and the contacts say what follows. That leaves an
-//! error in proportion to the approach, some tenth of it, and no energy is gained. Where nested limits take very many impacts more and more is nothing, up to
-//! what rounding of the first scalar makes of an approach.
+//! the first scalar is taken out, with what all the impacts would do that are left (`contact::limit`), and the contacts say what follows. What that leaves out
+//! is of second order in the approach for two parties; where more touch it is some hundredths of it. Where nested limits take very many impacts more and more is
+//! nothing, up to what rounding of the first scalar makes of an approach.
 
 use super::agenda::{Agenda, Due, Partners};
 use super::collapse::Streaks;
 use super::contact::decide::{member_but_for, resettle};
 use super::contact::group::{Group, Member, Touch, Twist};
 use super::contact::held::Held;
+use super::contact::limit::{Approaches, take_out};
 use super::contact::touching::{Steady, close_gaps, keep_contacts, touching};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
@@ -19,7 +20,7 @@ use super::queue::What;
 use super::solve::Loop;
 use super::spin::Moving;
 use super::sustained::stretch;
-use super::world::{SHRINKS, World};
+use super::world::{Coarser, NONE, SHRINKS, World};
 use crate::engine::Limits;
 use crate::math::Real;
 use crate::trace::Ending;
@@ -27,14 +28,11 @@ use crate::trace::Ending;
 /// What is left of a slip or a speed when the rest of an approach is over, in approaches, at most.
 const OVER: f64 = 8.0;
 
-/// An approach is nothing if it is no more than this part of what rounding makes of one.
-const NONE: f64 = 1e-4;
-
 /// Parties whose approach is nothing are no farther apart than this many of the ways in which the cloth takes it.
 const NEAR: f64 = 4.0;
 
 /// Events after which ten times as much is nothing.
-const PATIENCE: u32 = 1000;
+const PATIENCE: u32 = 500;
 
 /// Gaps of no more than this many errors of a position are none.
 const CLOSED: f64 = 4.0;
@@ -99,7 +97,15 @@ impl<T: Real> Loop<'_, T> {
         for m in &mut gathered.members {
             *m = member_but_for(world, m.ball, m.moving, still);
         }
-        keep_contacts(world, &mut gathered.members, &gathered.touches);
+        let closing = -self.balls.rate(encounter);
+        // where more is nothing the energy of what is given back would show
+        let is_least = self.slow <= world.none;
+        let shrinks = self
+            .approaches
+            .ratio(encounter, closing)
+            .filter(|_| is_least);
+        close_gaps(world, &mut gathered.members, &gathered.touches);
+        take_out(world, &mut gathered.members, &gathered.touches, shrinks);
         self.touches(encounter, gathered)
     }
 
@@ -113,15 +119,15 @@ impl<T: Real> Loop<'_, T> {
         let patience = T::lift(CALM) * world.noise() / world.strongest();
         let closed = self.closed(&what.balls());
         let given = self.hand_over();
-        let noise: T::Finer = self.balls.world().noise().widen();
-        let scene = self.balls.scene();
-        let (now, longest) = (given.time.widen(), patience.widen());
-        let mut balls = Kinematics::<T::Finer>::taking_over(scene, now, T::ULP, longest);
+        let from = Coarser {
+            ulp: T::ULP,
+            noise: self.balls.world().noise().widen(),
+            longest: patience.widen(),
+        };
+        let (scene, now) = (self.balls.scene(), given.time.widen());
+        let mut balls = Kinematics::<T::Finer>::taking_over(scene, now, &from);
         take_up(&mut balls, &given, &closed);
-        // nothing to this scalar, and as slow as the other one tells
-        let fastest = balls.world().fastest;
-        let nothing = (noise.at_most(fastest * T::Finer::lift(SHRINKS)) * T::Finer::lift(NONE))
-            .at_least(balls.world().blurs());
+        let nothing = balls.world().none;
         let most = nothing * T::Finer::lift(1.0 / NONE);
         let before: Vec<u32> = (0..balls.count()).map(|ball| balls.version(ball)).collect();
         let mut fine = Loop {
@@ -132,10 +138,11 @@ impl<T: Real> Loop<'_, T> {
             is_open: false,
             is_fine: true,
             blurred: false,
+            approaches: Approaches::new(),
             balls,
             journal: self.journal.handed_over(),
         };
-        let (events, mut ending) = fine.until_calm(longest, most, limits);
+        let (events, mut ending) = fine.until_calm(from.longest, most, limits);
         let mut taken = fine.hand_over();
         let changed = |ball: usize| fine.balls.version(ball) != before[ball];
         taken.balls.retain(|m| changed(m.ball));
@@ -250,8 +257,12 @@ impl<T: Real> Loop<'_, T> {
                     if !self.continues(what) {
                         since = time;
                     }
+                    let met = encounter_of(what).map(|e| (e, -self.balls.rate(e)));
                     if let Some(ending) = self.happen(what) {
                         return (events, Some(ending));
+                    }
+                    if let Some((encounter, closing)) = met {
+                        self.approaches.note(encounter, closing);
                     }
                     if events % PATIENCE == 0 {
                         self.slow = (self.slow * T::lift(10.0)).at_most(most);
@@ -279,15 +290,24 @@ impl<T: Real> Loop<'_, T> {
 
     /// Whether an event is none of those that shrink together.
     fn is_fast(&self, what: What) -> bool {
-        let encounter = match what {
-            What::Pair(a, b) | What::UnclearPair(a, b) => Encounter::Pair(a as usize, b as usize),
-            What::Cushion(a, side) | What::UnclearCushion(a, side) => {
-                Encounter::Cushion(a as usize, side)
-            }
-            What::Pocket(..) | What::UnclearPocket(..) => return true,
-            What::End(_) | What::Leaving(..) | What::Nothing => return false,
-        };
-        -self.balls.rate(encounter) >= self.balls.world().fastest * T::lift(SHRINKS)
+        match what {
+            What::Pocket(..) | What::UnclearPocket(..) => true,
+            _ => encounter_of(what).is_some_and(|encounter| {
+                let least = self.balls.world().fastest * T::lift(SHRINKS);
+                -self.balls.rate(encounter) >= least
+            }),
+        }
+    }
+}
+
+/// The parties of an event that meet.
+fn encounter_of(what: What) -> Option<Encounter> {
+    match what {
+        What::Pair(a, b) | What::UnclearPair(a, b) => Some(Encounter::Pair(a as usize, b as usize)),
+        What::Cushion(a, side) | What::UnclearCushion(a, side) => {
+            Some(Encounter::Cushion(a as usize, side))
+        }
+        _ => None,
     }
 }
 

@@ -10,7 +10,7 @@ use super::contact::held::{Contacts, Held};
 use super::encounter::{Encounter, rate_between, rate_to};
 use super::flight::{Flight, Ground, Phase};
 use super::spin::{Moving, Rotation, Spin, Turn};
-use super::world::World;
+use super::world::{Coarser, World};
 use crate::math::{Real, Vec3};
 use crate::physics::State;
 use crate::scene::Scene;
@@ -75,10 +75,10 @@ impl<'a, T: Real> Kinematics<'a, T> {
     }
 
     /// A scene at `time`, s, for a run that takes over from one in another scalar (see [`World::taking_over`]): every ball has yet to set off.
-    pub fn taking_over(scene: &'a Scene, time: T, ulp: f64, longest: T) -> Self {
+    pub fn taking_over(scene: &'a Scene, time: T, from: &Coarser<T>) -> Self {
         let new = Kinematics::new(scene);
         let mut balls = Kinematics {
-            world: new.world.taking_over(ulp, longest),
+            world: new.world.taking_over(from),
             now: time,
             ..new
         };

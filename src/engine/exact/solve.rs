@@ -13,6 +13,7 @@ use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
 use super::contact::domain::{is_followed, starts_pressed};
+use super::contact::limit::Approaches;
 use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
@@ -101,6 +102,7 @@ impl<'a, T: Real> Solver<'a, T> {
             // asked where the first slow impact is
             is_open: contacts == AtContacts::Auto,
             is_fine: false,
+            approaches: Approaches::new(),
             blurred: false,
             balls,
             journal,
@@ -164,6 +166,8 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) is_fine: bool,
     /// Whether this scalar no longer tells what happens now.
     pub(super) blurred: bool,
+    /// How fast parties approached last, of a run that has taken over.
+    pub(super) approaches: Approaches<T>,
     pub(super) journal: Journal<T>,
 }
 

@@ -29,11 +29,12 @@ pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
     let world = balls.world();
     // a stretch that reaches the end of the run ends after it, which is no event
     let most = (world.duration - balls.now()) * T::lift(PAST_THE_END);
-    Arc::of(world, group, most)
+    let tick = balls.now() * T::lift(T::ULP);
+    Arc::of(world, group, most, tick)
 }
 
 /// Stretches without a change between them, at most: one that turns towards its end takes a few for each bit of the scalar.
-const MOST_STRETCHES: u32 = 2000;
+const MOST_STRETCHES: u32 = 20_000;
 
 impl<T: Real> Loop<'_, T> {
     /// Whether parties that touch do not approach, at this rate, but for rounding.

@@ -62,7 +62,23 @@ pub struct World<T> {
     pub accuracy: f64,
     /// The longest stretch of contact, s.
     pub longest: T,
+    /// A slip or a speed that is no more than this is none to a contact, length/s.
+    pub none: T,
 }
+
+/// What a run tells that another takes over from.
+#[derive(Clone, Copy, Debug)]
+pub struct Coarser<T> {
+    /// The spacing of its numbers.
+    pub ulp: f64,
+    /// What rounding of a gap makes of an approach there, length/s.
+    pub noise: T,
+    /// The time, s, for which a contact is followed at once.
+    pub longest: T,
+}
+
+/// An approach is nothing to a run if it is no more than this part of what rounding makes of one.
+pub const NONE: f64 = 1e-4;
 
 impl<T: Real> World<T> {
     /// The world of a scene.
@@ -128,16 +144,18 @@ impl<T: Real> World<T> {
             fastest: lift(fastest),
             accuracy: T::ULP,
             longest: lift(f64::INFINITY),
+            none: T::zero(),
         }
     }
 
-    /// The same for a run that takes over from one whose numbers have the spacing `ulp`, and which follows contacts no longer than `longest`, s, at a
-    /// time: surfaces touch as far as this scalar tells.
-    pub fn taking_over(self, ulp: f64, longest: T) -> Self {
+    /// The same for a run that takes over from another: surfaces touch as far as this scalar tells, and what is nothing to the other run is none.
+    pub fn taking_over(self, from: &Coarser<T>) -> Self {
+        let noise = from.noise.at_most(self.fastest * T::lift(SHRINKS));
         World {
             touching: self.blur.length * T::lift(RESOLVED),
-            accuracy: T::ULP.max(ulp * ulp.sqrt()),
-            longest,
+            accuracy: T::ULP.max(from.ulp * from.ulp.sqrt()),
+            longest: from.longest,
+            none: (noise * T::lift(NONE)).at_least(self.blurs()),
             ..self
         }
     }
@@ -185,7 +203,7 @@ impl<T: Real> World<T> {
 
     /// A slip or a speed that turns while it ends, in contact, of balls of this speed is over when it is no more than this, length/s.
     pub fn over(&self, speed: T) -> T {
-        self.grain(speed) * T::lift(OVER * (self.accuracy / T::ULP))
+        (self.grain(speed) * T::lift(OVER * (self.accuracy / T::ULP))).at_least(self.none)
     }
 
     /// What rounding of a gap makes of an approach, length/s.
@@ -196,6 +214,23 @@ impl<T: Real> World<T> {
     /// The speed of an approach below which rounding will soon say how impacts go on that shrink, length/s.
     pub fn blurs(&self) -> T {
         (self.noise() * T::lift(NOISE)).at_most(self.fastest * T::lift(SHRINKS))
+    }
+
+    /// Restitution of balls that meet; 1 for laws that have no such number.
+    pub fn restitution(&self) -> T {
+        match self.contact {
+            Some(Contact::Inelastic { e }) => e,
+            None | Some(Contact::Elastic {}) => T::one(),
+        }
+    }
+
+    /// Restitution of cushions; `None` for laws that have no such number.
+    pub fn restitution_of_cushions(&self) -> Option<T> {
+        match self.cushion {
+            Some(Cushion::Restitution { e }) => Some(e),
+            Some(Cushion::Elastic {}) => Some(T::one()),
+            None | Some(Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. }) => None,
+        }
     }
 
     /// Whether the cloth may press balls together.

@@ -11,8 +11,11 @@ use crate::engine::exact::world::World;
 use crate::math::Real;
 use crate::math::series::{Node, Tape, at, reach, slope_at};
 
-/// Orders of a series for each bit of the scalar: so many that a fifth of the way to a singularity leaves nothing out.
-const ORDERS: f64 = 0.34;
+/// Orders of a series for each bit that it is to tell: so many that a quarter of the way to a singularity leaves nothing out.
+const ORDERS: f64 = 0.5;
+
+/// Bits that a series tells, at least.
+const FEWEST: f64 = 16.0;
 
 /// What a stretch leaves out of a position or a speed, in ulps of the largest.
 const LEFT_OUT: f64 = 0.5;
@@ -119,8 +122,8 @@ pub struct Arc<T> {
 }
 
 impl<T: Real> Arc<T> {
-    /// The next stretch of a group, no longer than `most`, s.
-    pub fn of(world: &World<T>, group: &Group<T>, most: T) -> Self {
+    /// The next stretch of a group, no longer than `most`, s. `tick`: what the clock tells apart, s.
+    pub fn of(world: &World<T>, group: &Group<T>, most: T, tick: T) -> Self {
         let most = most.at_most(world.longest);
         let (equations, unit) = solved(world, group, most);
         let tape = &equations.tape;
@@ -155,7 +158,9 @@ impl<T: Real> Arc<T> {
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
         let (length, mut changes) = first_change(&watched, length);
-        for change in over(world, loudest, &watched, length) {
+        // what the cloth ends within a tick is over, too
+        let none = world.over(loudest).at_least(world.strongest() * tick);
+        for change in over(&watched, length, none) {
             if !changes.contains(&change) {
                 changes.push(change);
             }
@@ -217,9 +222,10 @@ fn solved<T: Real>(world: &World<T>, group: &Group<T>, most: T) -> (Equations<T>
     let mut unit = pace(world, &equations);
     let mut tries = UNITS;
     loop {
+        let bits = bits(world, group, unit);
         equations
             .tape
-            .extend(orders(world, (most / unit).to_f64()), unit);
+            .extend(orders(bits, (most / unit).to_f64()), unit);
         let mut nodes = equations.velocity.iter().flatten();
         let mut spins = equations.spin.iter().flatten();
         let numbers = |node: &Node| equations.tape.series(*node).iter().all(|c| c.is_finite());
@@ -232,9 +238,15 @@ fn solved<T: Real>(world: &World<T>, group: &Group<T>, most: T) -> (Equations<T>
     }
 }
 
-/// Orders of the series for a stretch of no more than `length` of the time in which a group changes.
-fn orders<T: Real>(world: &World<T>, length: f64) -> usize {
-    let bits = -world.accuracy.log2();
+/// Bits that the series of a group are to tell of what changes in a `unit` of time, s: a slip that is nearly over changes so little that few of them are
+/// within the accuracy of the speeds.
+fn bits<T: Real>(world: &World<T>, group: &Group<T>, unit: T) -> f64 {
+    let changes = (world.strongest() * unit / loudest(world, &group.members)).to_f64();
+    FEWEST.max(changes.min(1.0).log2() - world.accuracy.log2())
+}
+
+/// Orders of the series that tell `bits` of a stretch of no more than `length` of the time in which a group changes.
+fn orders(bits: f64, length: f64) -> usize {
     let all = ORDERS * bits;
     // what is short needs fewer, and some in hand
     let few = if length < 0.25 {
@@ -324,11 +336,12 @@ fn root<T: Real>(series: &[T], mut low: T, mut high: T) -> T {
     t
 }
 
-/// Slips and speeds that are over, but for rounding, at the end of a stretch: those that turn while they end never fall to zero in a series.
-fn over<T: Real>(world: &World<T>, speed: T, watched: &[(Change, &[T])], length: T) -> Vec<Change> {
-    let none = world.over(speed);
+/// Slips and speeds that have shrunk to no more than `none` at the end of a stretch: those that turn while they end never fall to zero in a series.
+fn over<T: Real>(watched: &[(Change, &[T])], length: T, none: T) -> Vec<Change> {
     let ended = watched.iter().filter(|(change, series)| {
-        matches!(change, Change::Rolls(_) | Change::Stops(_)) && at(series, length) <= none
+        let left = at(series, length);
+        let ends = matches!(change, Change::Rolls(_) | Change::Stops(_));
+        ends && left <= none && left <= at(series, T::zero())
     });
     ended.map(|(change, _)| *change).collect()
 }

@@ -4,7 +4,7 @@
 //! zero. Without friction all answers give the same accelerations, and with it they mostly do: there every set of pressed contacts is tried, unless
 //! they are many. Where they do not, nothing determines how the balls go on, and the run ends there.
 
-use super::equations::{Equations, System};
+use super::equations::{Equations, Monitor, System};
 use super::group::{Change, Group, Hold, Member, Mode, Touch, Twist, loudest};
 use crate::engine::exact::flight::Ground;
 use crate::engine::exact::spin::Moving;
@@ -178,13 +178,7 @@ pub fn decide<T: Real>(
     for _ in 0..ROUNDS {
         let group = Group {
             members: members.clone(),
-            holds: open
-                .iter()
-                .map(|touch| Hold {
-                    touch: *touch,
-                    pressed: false,
-                })
-                .collect(),
+            holds: open.iter().map(|touch| Hold::open(*touch)).collect(),
         };
         let states = contacts(world, &group)?;
         let group = Group {
@@ -235,6 +229,7 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         moving,
         free,
         loose,
+        ..
     } = group.system(world);
     let all = 0..group.holds.len();
     let rests = |k: &usize| group.rests(group.holds[*k].touch);
@@ -521,9 +516,16 @@ fn let_go<T: Real>(
     let tape = &equations.tape;
     let mut members = group.members.clone();
     let mut any = false;
-    for monitor in &equations.monitors {
+    // who turns about the vertical moves nobody: whether it does is for the forces to say that are left when no one else is let go
+    let twists = |monitor: &&Monitor| matches!(monitor.change, Change::Twists(_));
+    let monitors = equations.monitors.iter();
+    let (twisting, others): (Vec<&Monitor>, Vec<&Monitor>) = monitors.partition(twists);
+    for monitor in others.into_iter().chain(twisting) {
         if tape.value(monitor.node) >= T::zero() && !pushed.contains(&monitor.change) {
             continue;
+        }
+        if any && matches!(monitor.change, Change::Twists(_)) {
+            break;
         }
         let creep = world.grain(loudest(world, &group.members)) * T::lift(4.0 * STILL);
         let (i, way) = match monitor.change {

@@ -103,6 +103,16 @@ pub struct Hold {
     pub pressed: bool,
 }
 
+impl Hold {
+    /// A contact of which it is not known whether it carries a force.
+    pub fn open(touch: Touch) -> Self {
+        Hold {
+            touch,
+            pressed: false,
+        }
+    }
+}
+
 /// Balls that are held together by contacts.
 #[derive(Clone, Debug)]
 pub struct Group<T> {
