@@ -6,6 +6,7 @@ mod energy;
 mod in_line;
 mod nested;
 mod phase;
+mod second;
 mod time_stepping;
 
 use crate::references::text;
