@@ -45,8 +45,8 @@ pub fn rolling_spin<T: Real>(velocity: &Vector3<T>, radius: T) -> Vector3<T> {
     Vector3::new(-velocity.y / radius, velocity.x / radius, T::zero())
 }
 
-/// A slip of no more than this part of the velocity is none in numbers given to six digits: half a unit in the sixth of the velocity and
-/// of the spin, each at a leading 1.
+/// A slip of no more than this part of the velocity is none where numbers are given to six digits: half a unit in the sixth of the velocity
+/// and of the spin, each at a leading 1.
 const SIX_DIGITS: f64 = 2.0 * 5e-6;
 
 /// A slip of no more than this part of what it is the difference of is rounding: some ulp.
@@ -55,16 +55,17 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// How a ball starts that rolls by the digits of its numbers; `None` of one that slides.
 ///
 /// The one rule for the start of a run, in every engine: the slip as a vector, beside the velocity as a whole. A slip that is rounding leaves
-/// the velocity as it is. A larger one, up to six digits, ends at once, as the cloth ends it within microseconds: `v - 2/7 u`, with no more
-/// energy than the numbers had. So of a ball that truly slips by so little the square of that part is lost, and one that slips by more
-/// keeps it. The spin about the vertical takes no part, and a ball without any velocity rolls only if it does not turn either.
+/// the velocity as it is. A larger one, up to six digits, is none only where the spin is written in six digits or fewer; it ends at once, as the
+/// cloth ends it within microseconds: `v - 2/7 u`, with no more energy than the numbers had. A state of a trace has more digits than that, so
+/// that a slip that is truly there stays, however small: next to balls in contact it says how they part. The spin about the vertical takes
+/// no part, and a ball without any velocity rolls only if it does not turn either.
 pub fn rolling_start(start: &Motion, radius: f64) -> Option<Motion> {
     let Motion { velocity, spin } = *start;
     let slip = slip_velocity(&velocity, &spin, radius);
     let (size, whole) = (slip.norm(), velocity.norm());
     let velocity = if is_rounding(size, start, radius) {
         velocity
-    } else if size <= SIX_DIGITS * whole {
+    } else if size <= SIX_DIGITS * whole && spin.xy().iter().all(|w| has_six_digits(*w)) {
         natural_roll(&velocity, &slip)
     } else {
         return None;
@@ -75,6 +76,11 @@ pub fn rolling_start(start: &Motion, radius: f64) -> Option<Motion> {
         velocity,
         spin: turning,
     })
+}
+
+/// Whether six significant digits are all that a number has.
+fn has_six_digits(x: f64) -> bool {
+    format!("{x:.5e}").parse() == Ok(x)
 }
 
 /// The motion with which a run starts: as it is given, but for a slip that is more than rounding of a ball that rolls by [`rolling_start`].
