@@ -58,7 +58,7 @@ pub struct PairMaterial {
 /// beside the velocity that is another number.
 ///
 /// A velocity or spin whose square is smaller than the smallest number of the scalar may be 0: it carries no energy that the
-/// scalar can hold, and engines that compute a speed from its square call it rest.
+/// scalar can hold, and engines that compute a speed from its square call it rest. A coordinate that is itself smaller may be 0.
 pub fn differences(scene: &Scene, inside: &Inside) -> Vec<String> {
     match inside
         .contact_time
@@ -104,7 +104,8 @@ fn differences_from(scene: &Scene, inside: &Inside) -> Vec<String> {
         for (what, g, w) in vectors {
             for (axis, name) in ["x", "y", "z"].iter().enumerate() {
                 let (g, w) = (g[axis], w[axis]);
-                let lost = what != "position" && g == 0.0 && w * w < check.smallest();
+                let size = if what == "position" { w.abs() } else { w * w };
+                let lost = g == 0.0 && size < check.smallest();
                 if !lost {
                     check.number(|| at(&format!("{what} {name}")), g, w);
                 }

@@ -435,7 +435,7 @@ impl<T: Real> Curve<T> {
         if from >= to || self.at(to).slope >= -slow {
             return Contact::Never;
         }
-        if from == zero && start.slope < zero {
+        if from == zero && start.slope <= zero {
             // it turns inward already
             to = zero;
         }
