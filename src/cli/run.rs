@@ -68,12 +68,28 @@ fn summary(trace: &Trace, scene: &Scene) -> Document {
         rows: rows.collect(),
         note: work.join(", "),
     };
+    let mut blocks = vec![Block::Text(describe_scene(scene))];
+    blocks.extend(taken_as_rolling(scene).map(Block::Text));
+    blocks.push(Block::Table(table));
     Document {
         stopped_early,
         id: "run".to_owned(),
         title: format!("{} in {}", trace.provenance.scene, trace.provenance.engine),
         lead: format!("{}; {} events.", describe_ending(trace), trace.events.len()),
-        blocks: vec![Block::Text(describe_scene(scene)), Block::Table(table)],
+        blocks,
         pages: Vec::new(),
     }
+}
+
+/// Which balls start rolling though their numbers leave a slip; `None` where none does.
+fn taken_as_rolling(scene: &Scene) -> Option<String> {
+    let starts = scene.balls.iter().enumerate();
+    let taken = starts.filter(|(i, ball)| scene.start(*i) != ball.state);
+    let ids: Vec<&str> = taken.map(|(_, ball)| ball.id.as_str()).collect();
+    (!ids.is_empty()).then(|| {
+        format!(
+            "Taken as rolling at the start, by the six digits of the spin: {}.",
+            ids.join(", ")
+        )
+    })
 }

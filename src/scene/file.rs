@@ -127,7 +127,8 @@ pub struct BallFile {
     /// Velocity of the centre at time 0, length/s, at rest if absent; `velocity = [vx, vy]`.
     #[schemars(extend("anySize" = true))]
     pub velocity: Option<[f64; 2]>,
-    /// Angular velocity at time 0, rad/s, none if absent; `spin = [wx, wy, wz]`.
+    /// Angular velocity at time 0, rad/s, none if absent; `spin = [wx, wy, wz]`. Written in six digits or fewer, that of rolling is rolling to
+    /// six digits.
     #[schemars(extend("anySize" = true))]
     pub spin: Option<[f64; 3]>,
     /// Radius, length, greater than 0, that of `[ball]` if absent; a pool ball has 0.028575 m.

@@ -4,10 +4,11 @@ use super::choices::{SetName, Simultaneous};
 use super::tried::Tried;
 use crate::math::Vec3;
 use crate::math::angle::unit_vector;
+use crate::physics::cloth::rotational;
 use crate::physics::contact::plan_distance;
 use crate::physics::cue::{Strike, speed_from_force};
 use crate::physics::invariants::{kinetic_energy, sphere_inertia};
-use crate::physics::{Effects, Side, State};
+use crate::physics::{Cloth, Effects, Motion, Side, State};
 use serde::{Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
@@ -156,7 +157,39 @@ impl Scene {
         self.balls.iter().position(|ball| ball.id == id)
     }
 
-    /// States of all balls at time 0, in scene order.
+    /// State with which ball `i` starts in every engine: as the scene gives it, but what rolls to six digits over a cloth that would make it roll
+    /// rolls ([`rotational::as_meant`]).
+    pub fn start(&self, i: usize) -> State {
+        self.started(i, |motion, radius| {
+            Some(rotational::as_meant(motion, radius))
+        })
+    }
+
+    /// The same where it rolls, with the spin of natural roll to the last digit; as the scene gives it where it does not.
+    pub fn rolling_start(&self, i: usize) -> State {
+        self.started(i, rotational::rolling_start)
+    }
+
+    fn started(&self, i: usize, rule: fn(&Motion, f64) -> Option<Motion>) -> State {
+        let Ball { radius, state, .. } = &self.balls[i];
+        let grips = match self.effects.cloth {
+            Some(Cloth::Rotational { mu_slide, .. }) => mu_slide * self.gravity > 0.0,
+            Some(Cloth::Translational { .. }) | None => false,
+        };
+        let given = Motion {
+            velocity: state.velocity,
+            spin: state.spin,
+        };
+        let motion = grips.then(|| rule(&given, *radius)).flatten();
+        let Motion { velocity, spin } = motion.unwrap_or(given);
+        State {
+            velocity,
+            spin,
+            ..*state
+        }
+    }
+
+    /// States of all balls at time 0 as the scene gives them, in scene order.
     pub fn initial_states(&self) -> Vec<State> {
         self.balls.iter().map(|ball| ball.state).collect()
     }

@@ -48,6 +48,7 @@ mod references;
 mod registries;
 mod replay;
 mod report;
+mod restart;
 mod roots;
 mod scene_cli;
 mod scene_errors;

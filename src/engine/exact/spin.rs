@@ -145,7 +145,8 @@ impl<T: Real> Rotation<T> {
         })
     }
 
-    /// The start of a ball as a scene means it: its numbers are f64, so what rolls to their digits rolls, in any scalar.
+    /// The start of a ball in this scalar: its numbers are f64, so what rolls to their rounding rolls, in any scalar. What rolls to six digits only
+    /// is the scene's to say: [`crate::scene::Scene::start`].
     pub fn as_meant(&self, radius: T, mut moving: Moving<T>) -> Moving<T> {
         let (_, slips) = self.slip(radius, &moving, T::ULP.max(f64::EPSILON));
         if !slips && self.slide > T::zero() {

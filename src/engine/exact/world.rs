@@ -250,7 +250,8 @@ impl<T: Real> World<T> {
 
     /// What all balls do at time 0: flights, and spins where the scene calls for rotation.
     pub fn first_flights(&self, scene: &Scene) -> (Vec<Flight<T>>, Vec<Spin<T>>) {
-        let states = scene.balls.iter().map(|ball| Moving::lifted(&ball.state));
+        let starts = 0..scene.balls.len();
+        let states = starts.map(|ball| Moving::lifted(&scene.start(ball)));
         match &self.rotation {
             None => {
                 let flight =

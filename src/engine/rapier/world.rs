@@ -135,10 +135,11 @@ impl Billiard {
         if !scene.effects.rotates() {
             locked |= LockedAxes::ROTATION_LOCKED;
         }
+        let start = scene.start(index);
         let body = RigidBodyBuilder::dynamic()
-            .translation(vector(&ball.state.position))
-            .linvel(vector(&ball.state.velocity))
-            .angvel(vector(&ball.state.spin))
+            .translation(vector(&start.position))
+            .linvel(vector(&start.velocity))
+            .angvel(vector(&start.spin))
             .locked_axes(locked)
             .can_sleep(settings.can_sleep)
             .ccd_enabled(bullet)

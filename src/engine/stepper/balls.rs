@@ -57,9 +57,10 @@ impl Balls {
         scene_index.extend((0..scene.balls.len()).filter(|&i| i != cue));
         let ball = |&i: &usize| &scene.balls[i];
         let column = |value: fn(&Ball) -> f64| scene_index.iter().map(|i| value(ball(i))).collect();
-        let turning = |&i: &usize| {
+        let starts: Vec<State> = scene_index.iter().map(|i| scene.start(*i)).collect();
+        let turning = |(&i, start): (&usize, &State)| {
             Some(Rotation {
-                spin: scene.balls[i].state.spin,
+                spin: start.spin,
                 inertia: scene.inertia(i)?,
                 slides: false,
             })
@@ -67,11 +68,15 @@ impl Balls {
         let mut balls = Balls {
             x: column(|b| b.state.position.x),
             y: column(|b| b.state.position.y),
-            vx: column(|b| b.state.velocity.x),
-            vy: column(|b| b.state.velocity.y),
+            vx: starts.iter().map(|start| start.velocity.x).collect(),
+            vy: starts.iter().map(|start| start.velocity.y).collect(),
             mass: column(|b| b.mass),
             radius: column(|b| b.radius),
-            rotation: scene_index.iter().filter_map(turning).collect(),
+            rotation: scene_index
+                .iter()
+                .zip(&starts)
+                .filter_map(turning)
+                .collect(),
             listed: scene.balls.len(),
             scene_index,
         };

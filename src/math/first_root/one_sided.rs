@@ -435,6 +435,10 @@ impl<T: Real> Curve<T> {
         if from >= to || self.at(to).slope >= -slow {
             return Contact::Never;
         }
+        if from == zero && start.slope <= zero {
+            // it turns inward already
+            to = zero;
+        }
         while let Some(middle) = between(from, to) {
             if self.at(middle).slope >= zero {
                 from = middle;
