@@ -96,10 +96,18 @@ impl<T: Real> Loop<'_, T> {
         };
         let mut gathered = self.connected(encounter, &steady);
         let still = self.slow * T::lift(OVER);
+        let before = if T::DIFFERENTIATES {
+            gathered.members.clone()
+        } else {
+            Vec::new()
+        };
         for m in &mut gathered.members {
             *m = member_but_for(world, m.ball, m.moving, still);
         }
         keep_contacts(world, &mut gathered.members, &gathered.touches);
+        if T::DIFFERENTIATES {
+            self.note_taken(&before, &gathered.touches);
+        }
         self.touches(encounter, gathered)
     }
 
@@ -117,6 +125,10 @@ impl<T: Real> Loop<'_, T> {
         let scene = self.balls.scene();
         let (now, longest) = (given.time.widen(), patience.widen());
         let mut balls = Kinematics::<T::Finer>::taking_over(scene, now, T::ULP, longest);
+        let mut derived = self.derived.take();
+        if let Some(derived) = &derived {
+            balls = balls.in_world(|world| derived.of_world(scene, world));
+        }
         take_up(&mut balls, &given, &closed);
         // nothing to this scalar, and as slow as the other one tells
         let fastest = balls.world().fastest;
@@ -124,6 +136,9 @@ impl<T: Real> Loop<'_, T> {
             .at_least(balls.world().blurs());
         let most = nothing * T::Finer::lift(1.0 / NONE);
         let before: Vec<u32> = (0..balls.count()).map(|ball| balls.version(ball)).collect();
+        if let Some(derived) = &mut derived {
+            derived.look_at(&balls);
+        }
         let mut fine = Loop {
             agenda: Agenda::new(&balls, Partners::Auto),
             streaks: Streaks::new(balls.count()),
@@ -132,6 +147,7 @@ impl<T: Real> Loop<'_, T> {
             is_open: false,
             is_fine: true,
             blurred: false,
+            derived,
             balls,
             journal: self.journal.handed_over(),
         };
@@ -142,8 +158,12 @@ impl<T: Real> Loop<'_, T> {
         let mut coarse = Loop {
             journal: fine.journal.handed_over(),
             begun: fine.begun,
+            derived: fine.derived,
             ..self
         };
+        if let Some(derived) = &mut coarse.derived {
+            derived.look_at(&coarse.balls);
+        }
         coarse.balls.advance(taken.time.widen());
         let set_off = take_up(&mut coarse.balls, &taken, &[]);
         coarse.predict_all(&set_off);
@@ -241,6 +261,14 @@ impl<T: Real> Loop<'_, T> {
                     self.agenda.keep_up(&self.balls, upkeep);
                 }
                 Due::Event(time, what) => {
+                    let time = if T::DIFFERENTIATES {
+                        if self.is_past(time) {
+                            return (events.max(1), Some(Ending::Cancelled));
+                        }
+                        self.moved(time, what)
+                    } else {
+                        time
+                    };
                     self.balls.advance(time);
                     let over = events > 0 && self.is_fast(what);
                     if over || self.journal.events() >= limits.max_events || limits.is_cancelled() {
@@ -250,8 +278,12 @@ impl<T: Real> Loop<'_, T> {
                     if !self.continues(what) {
                         since = time;
                     }
-                    if let Some(ending) = self.happen(what) {
-                        return (events, Some(ending));
+                    let ending = self.happen(what);
+                    if T::DIFFERENTIATES {
+                        self.note();
+                    }
+                    if ending.is_some() {
+                        return (events, ending);
                     }
                     if events % PATIENCE == 0 {
                         self.slow = (self.slow * T::lift(10.0)).at_most(most);

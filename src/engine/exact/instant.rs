@@ -86,14 +86,14 @@ impl<T: Real> Cluster<'_, T> {
         match self.touches[contact] {
             Touch::Pair(..) => match self.world.contact {
                 Some(Contact::Inelastic { e }) => e,
-                None | Some(Contact::Elastic {}) => T::one(),
+                None | Some(Contact::Elastic {}) => T::one() + self.world.restitution[0],
             },
             Touch::Cushion(..) => match self.world.cushion {
                 Some(Cushion::Restitution { e }) => e,
                 None
                 | Some(
                     Cushion::Elastic {} | Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. },
-                ) => T::one(),
+                ) => T::one() + self.world.restitution[1],
             },
         }
     }

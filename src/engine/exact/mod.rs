@@ -31,6 +31,7 @@ mod certainty;
 mod cluster_impact;
 mod collapse;
 mod contact;
+mod derived;
 mod encounter;
 mod finer;
 pub mod flight;

@@ -100,6 +100,15 @@ impl<T: Real> Moving<T> {
 }
 
 impl<T: Real> Moving<T> {
+    /// A ball at rest at the origin.
+    pub fn at_rest() -> Self {
+        Moving {
+            position: [T::zero(); 2],
+            velocity: [T::zero(); 2],
+            spin: [T::zero(); 3],
+        }
+    }
+
     /// One of its seven numbers: x, y, their rates, and the three of the spin.
     pub fn part(&mut self, part: usize) -> &mut T {
         match part {

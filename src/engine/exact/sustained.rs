@@ -314,6 +314,9 @@ impl<T: Real> Loop<'_, T> {
             return self.shrinks(encounter);
         }
         let mut gathered = self.gather(encounter, &Steady::of(self.balls.world()));
+        if T::DIFFERENTIATES {
+            self.note_together(&mut gathered.members, &gathered.touches);
+        }
         let impact = match self.resolve(encounter, &gathered) {
             Ok(impact) => impact,
             Err(ending) => return Some(ending),

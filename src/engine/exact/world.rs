@@ -5,7 +5,7 @@ use super::spin::{Moving, Rotation, Spin};
 use crate::math::Real;
 use crate::math::first_root::Blur;
 use crate::physics::contact::plan_distance;
-use crate::physics::{Contact, Cushion, Friction, Side};
+use crate::physics::{Contact, Cushion, Effects, Friction, Side};
 use crate::scene::Scene;
 
 /// Roundings that a coordinate has seen when it enters a decision: two products, two sums.
@@ -44,6 +44,8 @@ pub struct World<T> {
     pub friction: Option<Friction<T>>,
     /// The law of cushions.
     pub cushion: Option<Cushion<T>>,
+    /// Change of the restitution of elastic balls, and of elastic cushions: 0 with its derivatives.
+    pub restitution: [T; 2],
     /// Pockets: x, y and radius.
     pub pockets: Vec<[T; 3]>,
     /// Contact distance if all radii are equal.
@@ -111,6 +113,7 @@ impl<T: Real> World<T> {
             contact: effects.contact,
             friction: effects.friction,
             cushion: effects.cushion,
+            restitution: [T::zero(); 2],
             pockets: effects
                 .pockets
                 .map_or_else(Vec::new, |pockets| pockets.circles),
@@ -138,6 +141,20 @@ impl<T: Real> World<T> {
             touching: self.blur.length * T::lift(RESOLVED),
             accuracy: T::ULP.max(ulp * ulp.sqrt()),
             longest,
+            ..self
+        }
+    }
+
+    /// The same with laws whose numbers have derivatives.
+    pub fn with_laws(self, effects: &Effects<T>, gravity: f64, restitution: [T; 2]) -> Self {
+        let gravity = T::lift(gravity);
+        World {
+            ground: Ground::new(effects, gravity),
+            rotation: Rotation::new(effects, gravity),
+            contact: effects.contact,
+            friction: effects.friction,
+            cushion: effects.cushion,
+            restitution,
             ..self
         }
     }

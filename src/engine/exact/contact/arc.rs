@@ -261,7 +261,7 @@ fn pace<T: Real>(world: &World<T>, equations: &Equations<T>) -> T {
 /// The coefficients of a node without the zeros at the end.
 fn trimmed<T: Real>(tape: &Tape<T>, node: Node) -> Vec<T> {
     let series = tape.series(node);
-    let last = series.iter().rposition(|c| *c != T::zero()).unwrap_or(0);
+    let last = series.iter().rposition(|c| !c.is_nothing()).unwrap_or(0);
     series[..=last].to_vec()
 }
 
@@ -277,7 +277,21 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
     }
     let together = first * T::lift(1.0 + 1024.0 * T::ULP);
     let changes = changes.into_iter().filter(|(_, when)| *when <= together);
-    (first, changes.map(|(change, _)| change).collect())
+    let changes: Vec<Change> = changes.map(|(change, _)| change).collect();
+    if T::DIFFERENTIATES {
+        first = first.following(moves(watched, &changes, first.detached()));
+    }
+    (first, changes)
+}
+
+/// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first.
+fn moves<T: Real>(watched: &[(Change, &[T])], changes: &[Change], first: T) -> T {
+    let mut time: Option<T> = None;
+    for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
+        let own = first - at(series, first) / slope_at(series, first);
+        time = Some(time.map_or(own, |time| time.common(own)));
+    }
+    time.unwrap_or(first)
 }
 
 /// When a series that is positive first falls to zero within `length`.
