@@ -157,6 +157,7 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     const BITS: u32 = T::BITS;
     const ROUNDING: f64 = T::ROUNDING;
     const DIFFERENTIATES: bool = true;
+    const INPUTS: usize = N;
 
     fn detached(self) -> Self {
         Self::constant(self.value)

@@ -41,6 +41,9 @@ pub trait Real:
     /// Whether the last step of an iteration must be taken from a detached start, so that derivatives come out exact.
     const DIFFERENTIATES: bool = false;
 
+    /// Inputs by which it has derivatives.
+    const INPUTS: usize = 0;
+
     /// The same number without its derivatives.
     fn detached(self) -> Self {
         self

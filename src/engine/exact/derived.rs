@@ -101,6 +101,7 @@ fn departing<T: Real>(world: &World<T>, ball: usize, start: T, moving: Moving<T>
             spin: None,
         },
         Some(rotation) => {
+            let moving = rotation.unspun(moving);
             let (flight, spin) = rotation.depart(world.radius[ball], start, moving);
             Course {
                 flight,

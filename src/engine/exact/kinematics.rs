@@ -322,6 +322,11 @@ impl<'a, T: Real> Kinematics<'a, T> {
     #[cold]
     #[inline(never)]
     fn turning(&self, rotation: &Rotation<T>, ball: usize, moving: Moving<T>) -> Course<T> {
+        let moving = if T::DIFFERENTIATES {
+            rotation.unspun(moving)
+        } else {
+            moving
+        };
         let (flight, spin) = rotation.depart(self.world.radius[ball], self.now, moving);
         Course {
             flight,

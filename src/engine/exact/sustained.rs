@@ -29,7 +29,11 @@ pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
     let world = balls.world();
     // a stretch that reaches the end of the run ends after it, which is no event
     let most = (world.duration - balls.now()) * T::lift(PAST_THE_END);
-    Arc::of(world, group, most)
+    let mut arc = Arc::of(world, group, most);
+    if T::DIFFERENTIATES {
+        arc.tell_slopes(world, group);
+    }
+    arc
 }
 
 /// Stretches without a change between them, at most: one that turns towards its end takes a few for each bit of the scalar.

@@ -23,6 +23,14 @@ const LOOKS: usize = 8;
 /// The sizes of all terms of a velocity add up to no more than this many times the largest speed at the start.
 const BEYOND: f64 = 16.0;
 
+/// What a derivative leaves out within a piece of a stretch, in parts of its size.
+const SLOPES: f64 = 1e-12;
+
+/// Pieces in which the derivatives of a stretch are told, at most, and this near to its end no more: a slip that ends there turns by what is left of
+/// it, and its logarithm.
+const MOST_PIECES: usize = 200;
+const NEAR_THE_END: f64 = 1e-8;
+
 /// Units of time that are tried, each this part of the one before.
 const UNITS: usize = 24;
 const SHORTER: f64 = 1e-3;
@@ -51,11 +59,21 @@ pub struct Series<T> {
     pub jerk: f64,
     /// Whether it slips over the cloth.
     pub slides: bool,
+    /// Series from later times on, s, whose derivatives are told farther than those of this one.
+    slopes: Vec<(T, Series<T>)>,
 }
 
 impl<T: Real> Series<T> {
     /// How it moves `h` seconds after the start.
     pub fn at(&self, h: T) -> Moving<T> {
+        let mut later = self.slopes.iter().rev();
+        match later.find(|(start, _)| *start <= h) {
+            Some((start, series)) => self.plain(h).following(&series.plain(h - *start)),
+            None => self.plain(h),
+        }
+    }
+
+    fn plain(&self, h: T) -> Moving<T> {
         let h = h / self.unit;
         Moving {
             position: [0, 1].map(|axis| at(&self.position[axis], h)),
@@ -103,6 +121,7 @@ impl<T: Real> Series<T> {
             velocity,
             spin,
             slides,
+            slopes: Vec::new(),
         }
     }
 }
@@ -116,6 +135,8 @@ pub struct Arc<T> {
     pub series: Vec<Series<T>>,
     /// What ends it; empty where the series ends before anything changes.
     pub changes: Vec<Change>,
+    /// How far its derivatives are told by it, s.
+    told: T,
 }
 
 impl<T: Real> Arc<T> {
@@ -184,8 +205,32 @@ impl<T: Real> Arc<T> {
         });
         Arc {
             series: series.collect(),
+            told: told_slopes(&equations, length).detached() * unit.detached(),
             length: length * unit,
             changes,
+        }
+    }
+
+    /// Goes on with derivatives where their series end before the stretch does. What moves along a line has series that end by themselves, up to where its
+    /// slip ends; but aside of it the slip turns, and those of derivatives do not reach that far.
+    pub fn tell_slopes(&mut self, world: &World<T>, group: &Group<T>) {
+        let whole = self.length.detached();
+        let mut group = group.clone();
+        let mut at = self.told;
+        let least = whole * T::lift(NEAR_THE_END);
+        for _ in 0..MOST_PIECES {
+            if whole - at <= least {
+                break;
+            }
+            for (member, series) in group.members.iter_mut().zip(&self.series) {
+                member.moving = series.at(at);
+            }
+            let piece = Arc::of(world, &group, whole - at);
+            let told = piece.told.at_least(least);
+            for (series, next) in self.series.iter_mut().zip(piece.series) {
+                series.slopes.push((at, next));
+            }
+            at += told;
         }
     }
 
@@ -208,6 +253,26 @@ impl<T: Real> Arc<T> {
         }
         states
     }
+}
+
+/// How far the derivatives of velocities and spins are told, of a stretch of this length; both in units of the time.
+fn told_slopes<T: Real>(equations: &Equations<T>, length: T) -> T {
+    let nodes = || equations.velocity.iter().flatten();
+    let turns = equations.spin.iter().flatten();
+    let all: Vec<&[T]> = (nodes().chain(turns))
+        .map(|node| equations.tape.series(*node))
+        .collect();
+    let mut told = length;
+    for lane in 0..T::INPUTS {
+        for series in &all {
+            let slopes: Vec<f64> = series.iter().map(|c| c.partial(lane)).collect();
+            let size = slopes.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            if size > 0.0 && size.is_finite() {
+                told = told.at_most(T::lift(reach(&slopes, size, SLOPES)));
+            }
+        }
+    }
+    told
 }
 
 /// The equations of a group with their series, and the unit of its time, s. Where a slip soon vanishes a coefficient can leave the range of numbers: then in
