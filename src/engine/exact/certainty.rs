@@ -71,7 +71,7 @@ pub(super) fn certify_run(scene: &Scene, trace: &mut Trace, ulp: f64, limits: &L
 /// The certainty of all events, and the work that it took.
 fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certainty>, Work) {
     let events = &script.trace.events;
-    let through = holds_balls(script.trace).then(|| errors(script, ulp, limits));
+    let through = holds_balls(script.trace, ulp).then(|| errors(script, ulp, limits));
     let mut probes = through.is_none().then(|| Probes::new(script, ulp));
     let through = through.unwrap_or_default();
     let mut table = Table::new(script);
@@ -114,7 +114,11 @@ fn errors(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> Vec<Option<f64>
         taken: Vec::new(),
     }));
     let (scene, trace) = (script.scene, script.trace);
-    let found = follow(scene, trace, ulp, Seeds::default(), task, limits);
+    let seeds = Seeds {
+        estimates: true,
+        ..Seeds::default()
+    };
+    let found = follow(scene, trace, ulp, seeds, task, limits);
     let Some(Found {
         task: Task::Errors(errors),
         same,

@@ -12,6 +12,7 @@
 //! For an estimate of errors every event adds those of its own: rounding, what a law may be off by, and what is left of an approach when contact begins,
 //! which is taken out as a whole and counted as a whole.
 
+use super::cluster_impact::{ClusterImpact, Met};
 use super::contact::touching::{keep_slopes, rate};
 use super::encounter::Encounter;
 use super::flight::Flight;
@@ -39,10 +40,10 @@ pub const PARTS: usize = 7;
 /// A gap whose derivative is less than this part of those of its parties is that of a contact that holds: its rounding, and that of what came before.
 const HOLDS: f64 = 1e-6;
 
-/// Whether a run had balls that stay in contact: then its derivatives are those of the solver itself.
-pub fn holds_balls(trace: &Trace) -> bool {
+/// Whether a run, in numbers of this spacing, had balls that stay in contact and can be followed through that: not in fewer digits than f64.
+pub fn holds_balls(trace: &Trace, ulp: f64) -> bool {
     let lasts = |kind| matches!(kind, EventKind::ContactBegin(..) | EventKind::ContactEnd(..));
-    trace.events.iter().any(|event| lasts(event.kind))
+    ulp <= f64::EPSILON && trace.events.iter().any(|event| lasts(event.kind))
 }
 
 /// What has which derivative at the start.
@@ -54,6 +55,8 @@ pub struct Seeds {
     pub effects: Vec<(&'static str, usize, f64)>,
     /// Lanes of the restitution of elastic balls, and of elastic cushions.
     pub restitution: [Option<usize>; 2],
+    /// Whether derivatives are those of errors, for which any of several will do.
+    pub estimates: bool,
 }
 
 impl Seeds {
@@ -68,7 +71,9 @@ impl Seeds {
     pub fn of_world<T: Real>(&self, scene: &Scene, world: World<T>) -> World<T> {
         let lane = |lane: Option<usize>| lane.map_or(T::zero(), |lane| T::zero().nudged(lane, 1.0));
         let restitution = self.restitution.map(lane);
-        world.with_laws(&self.effects(scene), scene.gravity, restitution)
+        let mut world = world.with_laws(&self.effects(scene), scene.gravity, restitution);
+        world.estimates = self.estimates;
+        world
     }
 
     /// A scene at time 0 with these derivatives.
@@ -458,6 +463,9 @@ impl Errors {
         self.nudge(&mut Moving::at_rest(), &mut start, [0.0, 0.0, 0.0, clock]);
         let touches = group.touches();
         keep_slopes(balls.world(), &mut group.members, &touches);
+        for (m, was) in group.members.iter_mut().zip(&held.group.members) {
+            m.moving = was.moving.following(&m.moving);
+        }
         let arc = stretch(balls, &group);
         if let Some(held) = balls.derive_held(ball) {
             (held.group, held.arc, held.start) = (group, arc, start);
@@ -567,33 +575,68 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    /// Contacts are resolved at one instant: a ball of one that a change of an input opens has no derivative by it.
-    pub(super) fn note_together(&mut self, members: &mut [Member<T>], touches: &[Touch]) {
-        let Some(derived) = self.derived.as_deref() else {
-            return;
-        };
-        let estimates = matches!(derived.task, Task::Errors(_));
+    /// Contacts that are resolved at one instant: in which lanes a change of the input opens one of them.
+    fn opening(&self, encounters: impl Iterator<Item = Encounter>) -> [bool; LANES] {
         let mut lanes = [false; LANES];
-        for touch in touches {
-            let encounter = touch.encounter(members);
+        let estimates = self.balls.world().estimates;
+        for encounter in encounters.filter(|_| !estimates) {
             let (gap, _) = self.balls.gap_at(encounter, self.balls.now());
+            let places = encounter.balls().flat_map(|ball| self.balls.place(ball));
+            let places: Vec<T> = places.collect();
             for (lane, opens) in lanes.iter_mut().enumerate() {
-                let parties = touch.members().flat_map(|(m, _)| members[m].moving.position);
-                let size = parties.fold(0.0_f64, |most, x| most.max(x.partial(lane).abs()));
-                // NaN counts
+                let each = places.iter().map(|x| x.partial(lane).abs());
+                let size = each.fold(0.0_f64, f64::max);
+                // NaN opens
                 *opens |= !(gap.partial(lane).abs() <= HOLDS * size);
             }
         }
-        if estimates {
+        lanes
+    }
+
+    /// Balls that an instant with several contacts concerns have no derivative by an input that opens one of them.
+    pub(super) fn note_together(&self, members: &mut [Member<T>], touches: &[Touch]) {
+        let lanes = self.opening(touches.iter().map(|touch| touch.encounter(members)));
+        for m in members {
+            lose(&mut m.moving, &lanes);
+        }
+    }
+
+    /// The same of an instant that a convention resolves.
+    pub(super) fn note_cluster(&self, cluster: &mut ClusterImpact<T>) {
+        let sides = &cluster.sides;
+        let rows = cluster.rows.iter().map(|row| {
+            let first = sides[row.first.member].ball;
+            match &row.second {
+                Met::Ball(second) => Encounter::Pair(first, sides[second.member].ball),
+                Met::Cushion(side) => Encounter::Cushion(first, *side),
+            }
+        });
+        let lanes = self.opening(rows);
+        if !lanes.contains(&true) {
             return;
         }
-        for (lane, _) in lanes.iter().enumerate().filter(|(_, opens)| **opens) {
-            for m in members.iter_mut() {
-                for part in 0..PARTS {
-                    let part = m.moving.part(part);
-                    *part = part.nudged(lane, f64::NAN);
-                }
-            }
+        for side in &mut cluster.sides {
+            let mut far = Moving {
+                position: side.position,
+                velocity: side.after,
+                spin: side.spin_after,
+            };
+            lose(&mut far, &lanes);
+            let course = self.balls.course(side.ball, far);
+            side.course = Course {
+                flight: side.course.flight.following(&course.flight),
+                spin: side.course.spin.zip(course.spin).map(|(own, other)| own.following(&other)),
+            };
+        }
+    }
+}
+
+/// Takes the derivatives by these inputs from a motion.
+fn lose<T: Real>(moving: &mut Moving<T>, lanes: &[bool; LANES]) {
+    for (lane, _) in lanes.iter().enumerate().filter(|(_, lost)| **lost) {
+        for part in 0..PARTS {
+            let part = moving.part(part);
+            *part = part.nudged(lane, f64::NAN);
         }
     }
 }

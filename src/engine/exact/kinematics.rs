@@ -153,11 +153,11 @@ impl<'a, T: Real> Kinematics<'a, T> {
         }
     }
 
-    /// Gives what a ball does, which it has just begun, other derivatives; the values of `course` are those that it has.
+    /// Gives what a ball does the derivatives of a course.
     pub fn derive(&mut self, ball: usize, course: &Course<T>) {
-        self.flights[ball] = course.flight;
+        self.flights[ball] = self.flights[ball].following(&course.flight);
         if let (Some(spin), Some(next)) = (self.spins.get_mut(ball), &course.spin) {
-            *spin = *next;
+            *spin = spin.following(next);
         }
     }
 

@@ -66,7 +66,7 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
             .filter(move |(_, part)| *part < 2 || slides(ball))
     };
     let columns: Vec<(usize, usize)> = (0..balls).flat_map(coordinates).collect();
-    if holds_balls(trace) {
+    if holds_balls(trace, ulp(trace)) {
         return growth_through_contacts(scene, trace, whole, limits, &columns);
     }
     let script = Script::new(scene, trace);
@@ -327,7 +327,7 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>)
         return Vec::new();
     }
     let inputs = inputs(scene);
-    if holds_balls(trace) {
+    if holds_balls(trace, ulp(trace)) {
         return influences_through_contacts(scene, trace, until, limits, &inputs);
     }
     let script = Script::new(scene, trace);

@@ -430,6 +430,10 @@ impl<T: Real> Loop<'_, T> {
             Ok(cluster) => cluster,
             Err(ending) => return Some(ending),
         };
+        if T::DIFFERENTIATES {
+            self.note_error(cluster.error);
+            self.note_cluster(&mut cluster);
+        }
         if let Some(ending) = self.streak(cluster.leaving()) {
             return Some(ending);
         }

@@ -39,6 +39,16 @@ pub struct Spin<T> {
 }
 
 impl<T: Real> Spin<T> {
+    /// The same spin with the derivatives of another.
+    pub fn following(self, other: &Self) -> Self {
+        let space = |own: [T; 3], other: [T; 3]| [0, 1, 2].map(|i| own[i].following(other[i]));
+        Spin {
+            start: space(self.start, other.start),
+            rate: space(self.rate, other.rate),
+            ..self
+        }
+    }
+
     /// No rotation.
     pub fn none() -> Self {
         Spin {

@@ -325,6 +325,9 @@ impl<T: Real> Loop<'_, T> {
             Ok(impact) => impact,
             Err(ending) => return Some(ending),
         };
+        if T::DIFFERENTIATES {
+            self.note_error(impact.error);
+        }
         if let Some(ending) = self.streak(&impact.sides) {
             return Some(ending);
         }

@@ -46,6 +46,8 @@ pub struct World<T> {
     pub cushion: Option<Cushion<T>>,
     /// Change of the restitution of elastic balls, and of elastic cushions: 0 with its derivatives.
     pub restitution: [T; 2],
+    /// Whether derivatives are those of errors, for which any of several that there are will do.
+    pub estimates: bool,
     /// Pockets: x, y and radius.
     pub pockets: Vec<[T; 3]>,
     /// Contact distance if all radii are equal.
@@ -114,6 +116,7 @@ impl<T: Real> World<T> {
             friction: effects.friction,
             cushion: effects.cushion,
             restitution: [T::zero(); 2],
+            estimates: false,
             pockets: effects
                 .pockets
                 .map_or_else(Vec::new, |pockets| pockets.circles),

@@ -175,7 +175,10 @@ impl<T: Real> Arc<T> {
             .iter()
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
-        let (length, mut changes) = first_change(&watched, length);
+        let (mut length, mut changes) = first_change(&watched, length);
+        if T::DIFFERENTIATES && !changes.is_empty() {
+            length = length.following(moves(&watched, &changes, length, world.estimates));
+        }
         for change in over(world, loudest, &watched, length) {
             if !changes.contains(&change) {
                 changes.push(change);
@@ -343,18 +346,20 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
     let together = first * T::lift(1.0 + 1024.0 * T::ULP);
     let changes = changes.into_iter().filter(|(_, when)| *when <= together);
     let changes: Vec<Change> = changes.map(|(change, _)| change).collect();
-    if T::DIFFERENTIATES {
-        first = first.following(moves(watched, &changes, first.detached()));
-    }
     (first, changes)
 }
 
-/// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first.
-fn moves<T: Real>(watched: &[(Change, &[T])], changes: &[Change], first: T) -> T {
+/// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first, unless `any` will do.
+fn moves<T: Real>(watched: &[(Change, &[T])], changes: &[Change], first: T, any: bool) -> T {
+    let first = first.detached();
     let mut time: Option<T> = None;
     for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
         let own = first - at(series, first) / slope_at(series, first);
-        time = Some(time.map_or(own, |time| time.common(own)));
+        time = Some(match time {
+            Some(time) if any => time,
+            Some(time) => time.common(own),
+            None => own,
+        });
     }
     time.unwrap_or(first)
 }
