@@ -8,7 +8,7 @@
 //! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
 //! that could not change what is said.
 
-use super::derived::{Errors, Found, Seeds, Task, follow, holds_balls};
+use super::derived::{self, Errors, Found, Seeds, Task, follow, holds_balls};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
 use super::predict::Row;
@@ -105,6 +105,31 @@ fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certain
 
 /// Errors of the times of the events of a run in which balls stay in contact; `None` of one that has no derivative.
 fn errors(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> Vec<Option<f64>> {
+    let (scene, trace) = (script.scene, script.trace);
+    let Some(Found {
+        task: Task::Errors(errors),
+        same,
+        ..
+    }) = followed(scene, trace, ulp, limits)
+    else {
+        return Vec::new();
+    };
+    errors.found.into_iter().take(same).collect()
+}
+
+/// Estimated errors of where the balls are in the end, in scene order, length, of a run in which balls stay in contact: through all rounding, and through what
+/// was left of approaches when contacts began. NaN of a ball whose place has no derivative. Empty for other runs, and where the run cannot be taken again.
+pub fn place_errors(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> Vec<f64> {
+    if !holds_balls(trace, ulp) {
+        return Vec::new();
+    }
+    let found = followed(scene, trace, ulp, limits);
+    let whole = found.filter(|found| found.same == trace.events.len());
+    whole.map_or_else(Vec::new, |found| derived::place_errors(&found, DEVIATIONS))
+}
+
+/// A run taken again with the errors of its events.
+fn followed(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> Option<Found> {
     let task = Task::Errors(Box::new(Errors {
         draws: Draws::new(SEED, 0),
         roundings: [SPEED_ROUNDINGS, CLOCK],
@@ -113,21 +138,11 @@ fn errors(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> Vec<Option<f64>
         of_law: 0.0,
         taken: Vec::new(),
     }));
-    let (scene, trace) = (script.scene, script.trace);
     let seeds = Seeds {
         estimates: true,
         ..Seeds::default()
     };
-    let found = follow(scene, trace, ulp, seeds, task, limits);
-    let Some(Found {
-        task: Task::Errors(errors),
-        same,
-        ..
-    }) = found
-    else {
-        return Vec::new();
-    };
-    errors.found.into_iter().take(same).collect()
+    follow(scene, trace, ulp, seeds, task, limits)
 }
 
 /// For each event the time of the first one later than it of any of its balls, s; infinite where there is none. One pass from the end.

@@ -12,7 +12,9 @@
 //! For an estimate of errors every event adds those of its own: rounding, what a law may be off by, and what is left of an approach when contact begins,
 //! which is taken out as a whole and counted as a whole.
 
+use super::AtContacts;
 use super::cluster_impact::{ClusterImpact, Met};
+use super::contact::group::{Member, Touch};
 use super::contact::touching::{keep_slopes, rate};
 use super::encounter::Encounter;
 use super::flight::Flight;
@@ -22,8 +24,6 @@ use super::solve::{Loop, Played, Solver};
 use super::spin::Moving;
 use super::sustained::stretch;
 use super::world::World;
-use super::AtContacts;
-use super::contact::group::{Member, Touch};
 use crate::engine::Limits;
 use crate::math::random::Draws;
 use crate::math::{DoubleDouble, Dual, Octuple, Real};
@@ -42,7 +42,12 @@ const HOLDS: f64 = 1e-6;
 
 /// Whether a run, in numbers of this spacing, had balls that stay in contact and can be followed through that: not in fewer digits than f64.
 pub fn holds_balls(trace: &Trace, ulp: f64) -> bool {
-    let lasts = |kind| matches!(kind, EventKind::ContactBegin(..) | EventKind::ContactEnd(..));
+    let lasts = |kind| {
+        matches!(
+            kind,
+            EventKind::ContactBegin(..) | EventKind::ContactEnd(..)
+        )
+    };
     ulp <= f64::EPSILON && trace.events.iter().any(|event| lasts(event.kind))
 }
 
@@ -63,7 +68,9 @@ impl Seeds {
     fn effects<T: Real>(&self, scene: &Scene) -> Effects<T> {
         scene.effects.map(|key, value| {
             let own = self.effects.iter().filter(|(of, ..)| *of == key);
-            own.fold(T::lift(value), |x, (_, lane, slope)| x.nudged(*lane, *slope))
+            own.fold(T::lift(value), |x, (_, lane, slope)| {
+                x.nudged(*lane, *slope)
+            })
         })
     }
 
@@ -168,8 +175,6 @@ pub enum Why {
     Together,
     /// It met a ball that had none.
     Met,
-    /// The run in dual numbers does not go as the trace does.
-    Differs,
 }
 
 /// What goes along with a run in dual numbers.
@@ -297,6 +302,15 @@ fn slopes<T: Real>(x: T) -> [f64; LANES] {
     std::array::from_fn(|lane| x.partial(lane))
 }
 
+/// Estimated errors of where balls are in the end, length; NaN of one that has no derivative.
+pub fn place_errors(found: &Found, deviations: f64) -> Vec<f64> {
+    let error = |place: &[[f64; LANES]; 2]| {
+        let squares: f64 = place.iter().flatten().map(|x| x * x).sum();
+        deviations * (squares / LANES as f64).sqrt()
+    };
+    found.places.iter().map(error).collect()
+}
+
 /// Derivatives of where all balls are at a time that has none, s.
 fn places<T: Real>(played: &Played<'_, T>, until: f64) -> Vec<[[f64; LANES]; 2]> {
     let balls = played.balls();
@@ -401,12 +415,19 @@ impl Derived {
             let mut moving = Moving {
                 position: flight.position,
                 velocity: flight.velocity,
-                spin: balls.course_of(ball).spin.map_or([T::zero(); 3], |spin| spin.start),
+                spin: balls
+                    .course_of(ball)
+                    .spin
+                    .map_or([T::zero(); 3], |spin| spin.start),
             };
             let mut start = flight.start;
             let speed = errors.speed_of::<T>(ball, flight.fastest.to_f64());
             let radius = balls.world().radius[ball].to_f64();
-            errors.nudge(&mut moving, &mut start, [length, speed, speed / radius, clock]);
+            errors.nudge(
+                &mut moving,
+                &mut start,
+                [length, speed, speed / radius, clock],
+            );
             let course = departing(balls.world(), ball, start, moving);
             balls.derive(ball, &course);
         }
@@ -625,7 +646,11 @@ impl<T: Real> Loop<'_, T> {
             let course = self.balls.course(side.ball, far);
             side.course = Course {
                 flight: side.course.flight.following(&course.flight),
-                spin: side.course.spin.zip(course.spin).map(|(own, other)| own.following(&other)),
+                spin: side
+                    .course
+                    .spin
+                    .zip(course.spin)
+                    .map(|(own, other)| own.following(&other)),
             };
         }
     }

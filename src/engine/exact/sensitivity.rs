@@ -34,6 +34,8 @@ pub struct Growth {
     pub rough: Option<usize>,
     /// Balls that have none from an event on, where the others go on: the factors from there on are those of the others.
     pub lost: Vec<Lost>,
+    /// Whether the run with derivatives went another way than the trace, at event `rough`.
+    pub differs: bool,
 }
 
 impl Growth {
@@ -138,7 +140,8 @@ fn growth_through_contacts(
         let same = batches.iter().map(|found| found.same).min().unwrap_or(0);
         for event in from..until {
             if event >= same || limits.is_cancelled() {
-                growth.rough = growth.rough.or(Some(event));
+                growth.rough = Some(event);
+                growth.differs = event >= same;
                 break;
             }
             let maps: Vec<&[f64]> = batches.iter().filter_map(|b| b.map(event - from)).collect();
@@ -150,7 +153,12 @@ fn growth_through_contacts(
                 gone.is_none_or(|lost| lost.event > event)
             };
             let rows: Vec<usize> = (0..balls).filter(goes_on).collect();
-            growth.factors.push(largest_stretch(&maps, &rows, columns.len(), unit));
+            if rows.is_empty() {
+                break;
+            }
+            growth
+                .factors
+                .push(largest_stretch(&maps, &rows, columns.len(), unit));
         }
         if growth.rough.is_some() {
             break;
@@ -164,7 +172,9 @@ fn growth_through_contacts(
 
 /// The balls that are lost in any lane, from the first on in which they are.
 fn lost(batches: &[Found], balls: usize) -> Vec<Lost> {
-    let all = batches.iter().flat_map(|found| (0..LANES).flat_map(|lane| found.lost(lane)));
+    let all = batches
+        .iter()
+        .flat_map(|found| (0..LANES).flat_map(|lane| found.lost(lane)));
     let all: Vec<Lost> = all.collect();
     let first = |ball: usize| {
         let own = all.iter().filter(|lost| lost.ball == ball);
@@ -181,9 +191,6 @@ fn largest_stretch(maps: &[&[f64]], balls: &[usize], columns: usize, unit: [f64;
         maps[column / LANES][place] / unit[part]
     };
     let map = DMatrix::from_fn(PARTS * balls.len(), columns, entry);
-    if map.is_empty() {
-        return 0.0;
-    }
     map.singular_values().max()
 }
 
@@ -305,6 +312,7 @@ impl Influence {
             .iter()
             .enumerate()
             .map(moved)
+            .filter(|(_, far)| !far.is_nan())
             .fold(None, |most, next| match most {
                 Some((_, farthest)) if farthest >= next.1 => most,
                 _ => Some(next),
@@ -320,7 +328,7 @@ impl Influence {
 
 /// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
 ///
-/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for; and where
+/// Empty if an event before then has no derivative, unless balls stay in contact in the run (then the balls that it leaves without one say so), or the run ended before without coming to an end that the scene asks for; and where
 /// the user asked to stop.
 pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>) -> Vec<Influence> {
     if !trace.ending.is_complete() && until > trace.end_time {
@@ -389,7 +397,11 @@ fn influences_through_contacts(
 ) -> Vec<Influence> {
     let mut seeds = Seeds::default();
     let cue = scene.cue_ball();
-    let state = Moving::<f64>::lifted(&trace.paths[cue].state_at(0.0).unwrap_or(scene.balls[cue].state));
+    let state = Moving::<f64>::lifted(
+        &trace.paths[cue]
+            .state_at(0.0)
+            .unwrap_or(scene.balls[cue].state),
+    );
     let ([vx, vy], [wx, wy, wz]) = (state.velocity, state.spin);
     for (lane, input) in inputs.iter().take(LANES).enumerate() {
         let turned: &[(usize, f64)] = match input {
@@ -413,20 +425,35 @@ fn influences_through_contacts(
                 &[]
             }
         };
-        let turned = turned.iter().map(|(part, slope)| (cue, *part, lane, *slope));
+        let turned = turned
+            .iter()
+            .map(|(part, slope)| (cue, *part, lane, *slope));
         seeds.start.extend(turned);
     }
     let found = follow(scene, trace, ulp(trace), seeds, Task::Places(until), limits);
-    let due = trace.events.iter().take_while(|event| event.time < until).count();
+    let due = trace
+        .events
+        .iter()
+        .take_while(|event| event.time < until)
+        .count();
     let Some(found) = found.filter(|found| found.same >= due && !limits.is_cancelled()) else {
         return Vec::new();
     };
     let influence = |(lane, input): (usize, &Input)| Influence {
         input: *input,
-        derivative: found.places.iter().map(|place| place.map(|x| x[lane])).collect(),
+        derivative: found
+            .places
+            .iter()
+            .map(|place| place.map(|x| x[lane]))
+            .collect(),
         lost: found.lost(lane),
     };
-    inputs.iter().take(LANES).enumerate().map(influence).collect()
+    inputs
+        .iter()
+        .take(LANES)
+        .enumerate()
+        .map(influence)
+        .collect()
 }
 
 /// The inputs that a scene has: a cue ball that moves, numbers of its effects, and the impacts that it calls for.

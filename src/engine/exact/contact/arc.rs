@@ -220,7 +220,9 @@ impl<T: Real> Arc<T> {
         let whole = self.length.detached();
         let mut group = group.clone();
         let mut at = self.told;
-        let least = whole * T::lift(NEAR_THE_END);
+        let strongest = world.strongest().detached();
+        let over = world.over(loudest(world, &group.members)).detached() / strongest;
+        let least = (whole * T::lift(NEAR_THE_END)).at_least(over);
         for _ in 0..MOST_PIECES {
             if whole - at <= least {
                 break;
@@ -234,6 +236,16 @@ impl<T: Real> Arc<T> {
                 series.slopes.push((at, next));
             }
             at += told;
+        }
+        if whole - at > least {
+            // they are not told to the end
+            for series in &mut self.series {
+                let mut last = series.clone();
+                for input in 0..T::INPUTS {
+                    last.unit = last.unit.nudged(input, f64::NAN);
+                }
+                series.slopes.push((at, last));
+            }
         }
     }
 
