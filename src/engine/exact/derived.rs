@@ -12,15 +12,13 @@
 //! For an estimate of errors every event adds those of its own: rounding, what a law may be off by, and what is left of an approach when contact begins,
 //! which is taken out as a whole and counted as a whole.
 
+mod notes;
+
 use super::AtContacts;
-use super::cluster_impact::{ClusterImpact, Met};
-use super::contact::group::{Member, Touch};
-use super::contact::touching::{keep_slopes, rate};
-use super::encounter::Encounter;
+use super::contact::touching::keep_slopes;
 use super::flight::Flight;
 use super::kinematics::{Course, Kinematics};
-use super::queue::What;
-use super::solve::{Loop, Played, Solver};
+use super::solve::{Played, Solver};
 use super::spin::Moving;
 use super::sustained::stretch;
 use super::world::World;
@@ -36,9 +34,6 @@ pub const LANES: usize = 16;
 
 /// Coordinates of a ball: centre, velocity, spin.
 pub const PARTS: usize = 7;
-
-/// A gap whose derivative is less than this part of those of its parties is that of a contact that holds: its rounding, and that of what came before.
-const HOLDS: f64 = 1e-6;
 
 /// Whether a run, in numbers of this spacing, had balls that stay in contact and can be followed through that: not in fewer digits than f64.
 pub fn holds_balls(trace: &Trace, ulp: f64) -> bool {
@@ -190,6 +185,8 @@ pub struct Derived {
     fallen: Vec<Option<[[f64; LANES]; 2]>>,
     /// By ball and lane, when it was lost.
     lost: Vec<[Option<(usize, Why)>; LANES]>,
+    /// By ball, when its group last changed, s.
+    turned: Vec<f64>,
 }
 
 /// What a run with derivatives found.
@@ -260,6 +257,7 @@ fn run<T: Real>(
         versions: vec![0; balls.count()],
         fallen: vec![None; balls.count()],
         lost: vec![[None; LANES]; balls.count()],
+        turned: vec![f64::NEG_INFINITY; balls.count()],
     };
     let mut balls = balls;
     derived.disturb_all(&mut balls);
@@ -510,168 +508,4 @@ fn map<T: Real>(balls: &Kinematics<'_, T>, fallen: &[Option<[[f64; LANES]; 2]>])
         }
     }
     map
-}
-
-impl<T: Real> Loop<'_, T> {
-    /// The time of an event, s, with the derivatives that what happens gives it.
-    pub(super) fn moved(&self, time: T, what: What) -> T {
-        let at = time.detached();
-        let encounter = match what {
-            What::Pair(a, b) | What::UnclearPair(a, b) => Encounter::Pair(a as usize, b as usize),
-            What::Cushion(a, side) | What::UnclearCushion(a, side) => {
-                Encounter::Cushion(a as usize, side)
-            }
-            What::Pocket(a, pocket) => return self.moved_fall(at, a as usize, pocket as usize),
-            What::End(a) => {
-                let ball = a as usize;
-                let held = self.balls.contacts().of(ball);
-                let held = held.filter(|_| self.balls.is_held(ball));
-                let end = held.map_or(self.balls.flight(ball).end, |held| {
-                    held.start + held.arc.length
-                });
-                return time.following(end);
-            }
-            What::UnclearPocket(..) | What::Leaving(..) | What::Nothing => return at,
-        };
-        let (gap, rate) = self.balls.gap_at(encounter, at);
-        step(at, gap, rate)
-    }
-
-    fn moved_fall(&self, at: T, ball: usize, pocket: usize) -> T {
-        let [x, y, radius] = self.balls.world().pockets[pocket];
-        let Moving {
-            position, velocity, ..
-        } = self.balls.moving_at(ball, at);
-        let p = [x - position[0], y - position[1]];
-        let apart = (p[0] * p[0] + p[1] * p[1]).sqrt();
-        let rate = -(p[0] * velocity[0] + p[1] * velocity[1]) / apart;
-        step(at, apart - radius, rate)
-    }
-
-    /// Whether nothing from `time` on is asked for.
-    pub(super) fn is_past(&self, time: T) -> bool {
-        let derived = self.derived.as_ref();
-        derived.is_some_and(|derived| derived.is_past(time.to_f64()))
-    }
-
-    /// Looks at what an event has done.
-    pub(super) fn note(&mut self) {
-        if let Some(mut derived) = self.derived.take() {
-            derived.note(&mut self.balls, self.journal.events() as usize);
-            self.derived = Some(derived);
-        }
-    }
-
-    /// A ball leaves play: where it does keeps its derivatives.
-    pub(super) fn note_fall(&mut self, ball: usize) {
-        let place = self.balls.place(ball).map(slopes);
-        if let Some(derived) = &mut self.derived {
-            derived.fallen[ball] = Some(place);
-        }
-    }
-
-    /// What the law of an event may be off by, length/s.
-    pub(super) fn note_error(&mut self, error: f64) {
-        if let Some(Derived {
-            task: Task::Errors(errors),
-            ..
-        }) = self.derived.as_deref_mut()
-        {
-            errors.of_law = errors.of_law.max(error);
-        }
-    }
-
-    /// What is left of the approaches of balls that touch is taken out.
-    pub(super) fn note_taken(&mut self, members: &[Member<T>], touches: &[Touch]) {
-        if let Some(Derived {
-            task: Task::Errors(errors),
-            ..
-        }) = self.derived.as_deref_mut()
-        {
-            for touch in touches {
-                let speed = rate(members, *touch).to_f64().abs();
-                let balls = touch.members().map(|(m, _)| (members[m].ball, speed));
-                errors.taken.extend(balls);
-            }
-        }
-    }
-
-    /// Contacts that are resolved at one instant: in which lanes a change of the input opens one of them.
-    fn opening(&self, encounters: impl Iterator<Item = Encounter>) -> [bool; LANES] {
-        let mut lanes = [false; LANES];
-        let estimates = self.balls.world().estimates;
-        for encounter in encounters.filter(|_| !estimates) {
-            let (gap, _) = self.balls.gap_at(encounter, self.balls.now());
-            let places = encounter.balls().flat_map(|ball| self.balls.place(ball));
-            let places: Vec<T> = places.collect();
-            for (lane, opens) in lanes.iter_mut().enumerate() {
-                let each = places.iter().map(|x| x.partial(lane).abs());
-                let size = each.fold(0.0_f64, f64::max);
-                // NaN opens
-                *opens |= !(gap.partial(lane).abs() <= HOLDS * size);
-            }
-        }
-        lanes
-    }
-
-    /// Balls that an instant with several contacts concerns have no derivative by an input that opens one of them.
-    pub(super) fn note_together(&self, members: &mut [Member<T>], touches: &[Touch]) {
-        let lanes = self.opening(touches.iter().map(|touch| touch.encounter(members)));
-        for m in members {
-            lose(&mut m.moving, &lanes);
-        }
-    }
-
-    /// The same of an instant that a convention resolves.
-    pub(super) fn note_cluster(&self, cluster: &mut ClusterImpact<T>) {
-        let sides = &cluster.sides;
-        let rows = cluster.rows.iter().map(|row| {
-            let first = sides[row.first.member].ball;
-            match &row.second {
-                Met::Ball(second) => Encounter::Pair(first, sides[second.member].ball),
-                Met::Cushion(side) => Encounter::Cushion(first, *side),
-            }
-        });
-        let lanes = self.opening(rows);
-        if !lanes.contains(&true) {
-            return;
-        }
-        for side in &mut cluster.sides {
-            let mut far = Moving {
-                position: side.position,
-                velocity: side.after,
-                spin: side.spin_after,
-            };
-            lose(&mut far, &lanes);
-            let course = self.balls.course(side.ball, far);
-            side.course = Course {
-                flight: side.course.flight.following(&course.flight),
-                spin: side
-                    .course
-                    .spin
-                    .zip(course.spin)
-                    .map(|(own, other)| own.following(&other)),
-            };
-        }
-    }
-}
-
-/// Takes the derivatives by these inputs from a motion.
-fn lose<T: Real>(moving: &mut Moving<T>, lanes: &[bool; LANES]) {
-    for (lane, _) in lanes.iter().enumerate().filter(|(_, lost)| **lost) {
-        for part in 0..PARTS {
-            let part = moving.part(part);
-            *part = part.nudged(lane, f64::NAN);
-        }
-    }
-}
-
-/// The time at which a gap closes that is `gap` at time `at`, s, and falls at `rate`.
-fn step<T: Real>(at: T, gap: T, rate: T) -> T {
-    if rate < T::zero() {
-        // by its derivatives alone
-        at - T::zero().following(gap) / rate.detached()
-    } else {
-        at
-    }
 }

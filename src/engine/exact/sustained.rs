@@ -98,6 +98,9 @@ impl<T: Real> Loop<'_, T> {
         } else {
             held.stuck + 1
         };
+        if T::DIFFERENTIATES {
+            self.note_turn(&mut group.members, held.start, held.arc.length <= moment);
+        }
         let mut gone = Vec::new();
         for change in &changes {
             match *change {
