@@ -176,13 +176,14 @@ impl<T: Real> Arc<T> {
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
         let (mut length, mut changes) = first_change(&watched, length);
-        if T::DIFFERENTIATES && !changes.is_empty() {
-            length = length.following(moves(&watched, &changes, length, world.estimates));
-        }
+        let first = changes.clone();
         for change in over(world, loudest, &watched, length) {
             if !changes.contains(&change) {
                 changes.push(change);
             }
+        }
+        if T::DIFFERENTIATES && !first.is_empty() {
+            length = length.following(moves(&watched, [&first, &changes], length, world.estimates));
         }
         let series = group.members.iter().enumerate().map(|(i, member)| {
             let own = |nodes: &[Node]| -> Vec<Vec<T>> {
@@ -362,16 +363,18 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
 }
 
 /// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first, unless `any` will do.
-fn moves<T: Real>(watched: &[(Change, &[T])], changes: &[Change], first: T, any: bool) -> T {
+fn moves<T: Real>(watched: &[(Change, &[T])], changes: [&[Change]; 2], first: T, any: bool) -> T {
     let first = first.detached();
     let mut time: Option<T> = None;
-    for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
-        let own = first - at(series, first) / slope_at(series, first);
-        time = Some(match time {
-            Some(time) if any => time,
-            Some(time) => time.common(own),
-            None => own,
-        });
+    for changes in changes {
+        for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
+            let own = first - at(series, first) / slope_at(series, first);
+            time = Some(match time {
+                Some(time) if any => time,
+                Some(time) => time.common(own),
+                None => own,
+            });
+        }
     }
     time.unwrap_or(first)
 }
