@@ -376,12 +376,12 @@ impl Derived {
         let before = self.lost.clone();
         for ball in changed {
             let mut moving = balls.moving_at(*ball, here);
-            for lane in 0..LANES {
+            for (lane, lost) in self.lost[*ball].iter_mut().enumerate() {
                 let is_lost = (0..PARTS).any(|part| moving.part(part).partial(lane).is_nan());
-                if is_lost && self.lost[*ball][lane].is_none() {
+                if is_lost && lost.is_none() {
                     let met = changed.iter().any(|other| before[*other][lane].is_some());
                     let why = if met { Why::Met } else { Why::Together };
-                    self.lost[*ball][lane] = Some((self.seen, why));
+                    *lost = Some((self.seen, why));
                 }
             }
         }

@@ -113,8 +113,8 @@ impl<T: Real> Loop<'_, T> {
             for (lane, opens) in lanes.iter_mut().enumerate() {
                 let each = places.iter().map(|x| x.partial(lane).abs());
                 let size = each.fold(0.0_f64, f64::max);
-                // NaN opens
-                *opens |= !(gap.partial(lane).abs() <= HOLDS * size);
+                let moves = gap.partial(lane).abs();
+                *opens |= moves.is_nan() || moves > HOLDS * size;
             }
         }
         lanes
