@@ -3,6 +3,7 @@
 //! Order and equality are those of the values, so that a computation in dual numbers takes the same branches as one without.
 
 use super::Real;
+use super::real::COMMON;
 use num_traits::{One, Zero};
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -12,8 +13,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub struct Dual<T, const N: usize> {
     /// The value.
     pub value: T,
-    /// Derivative by each input.
-    pub partials: [T; N],
+    /// Derivative by each input: a few digits of it are enough, however many the value has.
+    pub partials: [f64; N],
 }
 
 impl<T: Real, const N: usize> Dual<T, N> {
@@ -21,7 +22,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     pub fn constant(value: T) -> Self {
         Dual {
             value,
-            partials: [T::zero(); N],
+            partials: [0.0; N],
         }
     }
 
@@ -29,7 +30,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     pub fn input(value: T, input: usize) -> Self {
         let mut seeded = Self::constant(value);
         if let Some(partial) = seeded.partials.get_mut(input) {
-            *partial = T::one();
+            *partial = 1.0;
         }
         seeded
     }
@@ -37,6 +38,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     /// `value`, where a small step of `self` moves it `slope` as much.
     #[inline]
     fn chain(&self, value: T, slope: T) -> Self {
+        let slope = slope.to_f64();
         Dual {
             value,
             partials: self.partials.map(|d| d * slope),
@@ -46,6 +48,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     /// `value`, where small steps of both inputs move it by `by_self` and `by_other`.
     #[inline]
     fn chain2(&self, other: &Self, value: T, by_self: T, by_other: T) -> Self {
+        let (by_self, by_other) = (by_self.to_f64(), by_other.to_f64());
         Dual {
             value,
             partials: std::array::from_fn(|i| {
@@ -149,14 +152,55 @@ impl<T: Real, const N: usize> One for Dual<T, N> {
 }
 
 impl<T: Real, const N: usize> Real for Dual<T, N> {
-    type Finer = Self;
+    type Finer = Dual<T::Finer, N>;
     const ULP: f64 = T::ULP;
     const BITS: u32 = T::BITS;
     const ROUNDING: f64 = T::ROUNDING;
     const DIFFERENTIATES: bool = true;
+    const INPUTS: usize = N;
 
     fn detached(self) -> Self {
         Self::constant(self.value)
+    }
+
+    fn following(self, other: Self) -> Self {
+        Dual {
+            value: self.value,
+            partials: other.partials,
+        }
+    }
+
+    fn partial(self, input: usize) -> f64 {
+        self.partials.get(input).copied().unwrap_or(0.0)
+    }
+
+    fn nudged(mut self, input: usize, by: f64) -> Self {
+        if let Some(partial) = self.partials.get_mut(input) {
+            *partial += by;
+        }
+        self
+    }
+
+    fn common(mut self, other: Self) -> Self {
+        let sizes = self.partials.iter().chain(&other.partials);
+        let most = sizes.fold(0.0_f64, |most, partial| most.max(partial.abs()));
+        for (own, other) in self.partials.iter_mut().zip(other.partials) {
+            if (*own - other).abs() > COMMON * most {
+                *own = f64::NAN;
+            }
+        }
+        self
+    }
+
+    fn is_nothing(self) -> bool {
+        self.value.is_zero() && self.partials.iter().all(|partial| *partial == 0.0)
+    }
+
+    fn widen<W: Real>(self) -> W {
+        let partials = self.partials.iter().enumerate();
+        partials.fold(self.value.widen(), |wide: W, (input, partial)| {
+            wide.nudged(input, *partial)
+        })
     }
 
     fn lift(x: f64) -> Self {

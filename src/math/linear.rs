@@ -31,7 +31,7 @@ impl<T: Real> Factors<T> {
             for row in below {
                 let factor = row[k] / top[k];
                 row[k] = factor;
-                if !factor.is_zero() {
+                if !factor.is_nothing() {
                     for (entry, of_top) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
                         *entry -= factor * *of_top;
                     }

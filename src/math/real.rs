@@ -7,6 +7,10 @@ use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssig
 use num_traits::{One, Zero};
 use std::ops::Neg;
 
+/// Derivatives that differ by less than this part of their sizes, or of the largest of all, are the same: they come from series and roots of f64 whose
+/// conditions are no worse than 1e6.
+pub(super) const COMMON: f64 = 1e-6;
+
 /// A real number: what a law of motion may do with one.
 pub trait Real:
     Scalar
@@ -37,9 +41,39 @@ pub trait Real:
     /// Whether the last step of an iteration must be taken from a detached start, so that derivatives come out exact.
     const DIFFERENTIATES: bool = false;
 
+    /// Inputs by which it has derivatives.
+    const INPUTS: usize = 0;
+
     /// The same number without its derivatives.
     fn detached(self) -> Self {
         self
+    }
+
+    /// This number with the derivatives of another; itself where there are none.
+    #[inline]
+    fn following(self, _other: Self) -> Self {
+        self
+    }
+
+    /// Its derivative by an input; 0 where there are none.
+    fn partial(self, _input: usize) -> f64 {
+        0.0
+    }
+
+    /// The same number with a derivative by an input that is larger by so much; itself where there are none.
+    fn nudged(self, _input: usize, _by: f64) -> Self {
+        self
+    }
+
+    /// This number, whose derivatives are those of another as well: none (NaN) where the two differ by more than [`COMMON`] of the largest.
+    fn common(self, _other: Self) -> Self {
+        self
+    }
+
+    /// Zero, and without derivatives.
+    #[inline]
+    fn is_nothing(self) -> bool {
+        self.is_zero()
     }
 
     /// The f64 number `x`; exact for every scalar at least as wide as f64.

@@ -89,7 +89,7 @@ impl<T: Real> Tape<T> {
     }
 
     fn is_nothing(&self, node: Node) -> bool {
-        self.number(node).is_some_and(|value| value == T::zero())
+        self.number(node).is_some_and(T::is_nothing)
     }
 
     /// Says what the derivative of an input is.
@@ -141,7 +141,7 @@ impl<T: Real> Tape<T> {
     pub fn multiple(&mut self, a: Node, factor: T) -> Node {
         match self.number(a) {
             Some(a) => self.constant(a * factor),
-            _ if factor == T::zero() => self.constant(factor),
+            _ if factor.is_nothing() => self.constant(factor),
             _ => self.add(Operation::Multiple(a, factor), Vec::new()),
         }
     }

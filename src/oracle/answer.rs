@@ -127,6 +127,10 @@ fn from(scene: &Scene, trace: &Trace, time: f64) -> Option<Scene> {
 fn factor(scene: &Scene, trace: &Trace, growth: Option<&Growth>) -> f64 {
     let last = trace.events.last().map_or(0.0, |event| event.time);
     let flight = scene.largest_speed() * (trace.end_time - last) / scene.smallest_radius();
+    if growth.is_some_and(|growth| growth.differs || !growth.lost.is_empty()) {
+        // of a ball without a derivative it is not known
+        return f64::INFINITY;
+    }
     let factor = growth.map_or(1.0, Growth::last) * (1.0 + flight.max(0.0));
     // one that overflowed bounds nothing
     if factor.is_nan() {

@@ -101,6 +101,7 @@ pub fn horizon(
         Precision::F256 | Precision::Auto => return None,
     };
     horizon.trace.provenance.engine = super::engine().id().to_owned();
+    horizon.trace.provenance.ulp = precision.ulp();
     horizon.growth = growth(scene, &horizon.trace, whole_growth, limits);
     if limits.is_cancelled() {
         // what was cut short says nothing, wherever it was cut

@@ -1,6 +1,7 @@
 //! Pictures of how far a run can be believed: how a perturbation of the start grows, how sure the place of each event is, and how
 //! far two precisions are apart. One room, because the page of a horizon and the page of a scene show the same.
 
+use super::compare::describe_rough;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
 use crate::oracle::{BAND, Growth, Horizon, Precision};
 use crate::scene::Scene;
@@ -48,11 +49,12 @@ pub fn growth(scene: &Scene, horizon: &Horizon, growth: &Growth) -> Option<Figur
         caption: format!(
             "Largest singular value of the tangent map from the start to each event: the factor by which the worst small change of the \
              start has grown, lengths in R, speeds in the largest initial speed. A straight rise is exponential.{}",
-            match growth.rough {
-                Some(index) => format!(
+            match (growth.rough, describe_rough(growth, &horizon.trace)) {
+                (Some(index), _) if growth.lost.is_empty() && !growth.differs => format!(
                     " It ends at event {index}, where a convention resolved several contacts at once."
                 ),
-                None => String::new(),
+                (_, Some(rough)) => format!(" It is {rough}."),
+                _ => String::new(),
             }
         ),
         x: Axis::linear("time", &scene.units.time),

@@ -5,7 +5,8 @@
 
 use super::certainty;
 use super::compare::{
-    describe_ending, describe_growth, describe_kind, describe_scene, describe_span,
+    describe_ending, describe_growth, describe_kind, describe_lost, describe_rough, describe_scene,
+    describe_span,
 };
 use crate::engine::{Limits, Refusal, can_run};
 use crate::finding::{Block, Cell, Column, Document, Table};
@@ -73,6 +74,8 @@ fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> Document 
         certainty::apart(scene, horizon, growth),
     ];
     blocks.extend(figures.into_iter().flatten().map(Block::Figure));
+    blocks.extend(without_derivative(horizon, influences).map(Block::Text));
+    blocks.extend(ends(scene, horizon).map(Block::Text));
     if let Some(sentence) = matters_most(scene, horizon, influences) {
         blocks.push(Block::Text(sentence));
         blocks.push(Block::Table(influence_table(scene, influences)));
@@ -97,6 +100,30 @@ fn document(scene: &Scene, lead: String, blocks: Vec<Block>) -> Document {
         blocks,
         pages: Vec::new(),
     }
+}
+
+/// The balls that have no derivative by an input, in one sentence.
+fn without_derivative(horizon: &Horizon, influences: &[Influence]) -> Option<String> {
+    let lost = influences
+        .iter()
+        .filter(|influence| !influence.lost.is_empty());
+    let lost = lost.map(|influence| {
+        let lost = describe_lost(&influence.lost, &horizon.trace);
+        format!("By {} {lost}", influence.input.name())
+    });
+    let lost: Vec<String> = lost.collect();
+    (!lost.is_empty()).then(|| format!("{}.", lost.join("; ")))
+}
+
+/// How far balls may be off in the end, in one sentence, where they were in contact.
+fn ends(scene: &Scene, horizon: &Horizon) -> Option<String> {
+    let ulp = horizon.precision.ulp();
+    let errors = oracle::place_errors(scene, &horizon.trace, ulp, &Limits::NONE);
+    let known = errors.iter().copied().filter(|error| !error.is_nan());
+    let largest = known.reduce(f64::max)? / scene.smallest_radius();
+    Some(format!(
+        "Through rounding, and what was left of approaches when contacts began, balls are off by no more than an estimated {largest:.1e} R in the end."
+    ))
 }
 
 /// The horizon in one sentence, and the growth in another.
@@ -125,11 +152,18 @@ fn sentence(scene: &Scene, horizon: &Horizon) -> String {
             format!("{reach}: then {next} is too close to another event to be certain of its place")
         }
     };
-    let second = horizon.growth.as_ref().map(|growth| match growth.rough {
-        None => format!(" A perturbation of the start grows {}.", describe_growth(growth.last())),
-        Some(index) => format!(
-            " Its growth is known up to event {index} only: then a convention resolved several contacts at once."
-        ),
+    let second = horizon.growth.as_ref().map(|growth| {
+        let grows = || {
+            format!(
+                " A perturbation of the start grows {}.",
+                describe_growth(growth.last())
+            )
+        };
+        match describe_rough(growth, &horizon.trace) {
+            None => grows(),
+            Some(rough) if growth.lost.is_empty() => format!(" Its growth is {rough}."),
+            Some(rough) => format!("{} Its growth is {rough}.", grows()),
+        }
     });
     format!("{first}.{}", second.unwrap_or_default())
 }
@@ -193,7 +227,7 @@ fn influence_table(scene: &Scene, influences: &[Influence]) -> Table {
         columns: with_ball(influences.iter().map(heading)),
         rows: rows(scene, |ball| {
             let moves = influences.iter().map(|influence| influence.moves(ball) / radius);
-            moves.map(Cell::Number).collect()
+            moves.map(|x| Cell::maybe(Some(x).filter(|x| !x.is_nan()))).collect()
         }),
         note: "First order, along the order of events of this run: a change large enough to reorder hits does more.".to_owned(),
     }
@@ -217,7 +251,7 @@ fn derivative_table(scene: &Scene, influences: &[Influence]) -> Table {
         columns: with_ball(headings),
         rows: rows(scene, |ball| {
             let both = influences.iter().flat_map(|influence| influence.derivative[ball]);
-            both.map(|d| Cell::Number(d / radius)).collect()
+            both.map(|d| Cell::maybe(Some(d / radius).filter(|d| !d.is_nan()))).collect()
         }),
         note: "By rad of the aim, by a relative change of speeds and numbers of effects, by a restitution itself.".to_owned(),
     }

@@ -8,6 +8,7 @@
 //! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
 //! that could not change what is said.
 
+use super::derived::{self, Errors, Found, Seeds, Task, follow, holds_balls};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
 use super::predict::Row;
@@ -70,7 +71,9 @@ pub(super) fn certify_run(scene: &Scene, trace: &mut Trace, ulp: f64, limits: &L
 /// The certainty of all events, and the work that it took.
 fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certainty>, Work) {
     let events = &script.trace.events;
-    let mut probes = Some(Probes::new(script, ulp));
+    let through = holds_balls(script.trace, ulp).then(|| errors(script, ulp, limits));
+    let mut probes = through.is_none().then(|| Probes::new(script, ulp));
+    let through = through.unwrap_or_default();
     let mut table = Table::new(script);
     let later = next_times(events, script.scene.balls.len());
     let mut found = Vec::with_capacity(events.len());
@@ -78,7 +81,10 @@ fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certain
         if limits.is_cancelled() {
             return (Vec::new(), table.work);
         }
-        let time_error = probes.as_mut().and_then(|probes| probes.error(event, ulp));
+        let time_error = match &mut probes {
+            Some(probes) => probes.error(event, ulp),
+            None => through.get(index).copied().flatten(),
+        };
         if time_error.is_none() {
             // what follows an event without a derivative has none either
             probes = None;
@@ -95,6 +101,48 @@ fn certified(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> (Vec<Certain
         found.push(certainty);
     }
     (found, table.work)
+}
+
+/// Errors of the times of the events of a run in which balls stay in contact; `None` of one that has no derivative.
+fn errors(script: &Script<'_>, ulp: f64, limits: &Limits<'_>) -> Vec<Option<f64>> {
+    let (scene, trace) = (script.scene, script.trace);
+    let Some(Found {
+        task: Task::Errors(errors),
+        same,
+        ..
+    }) = followed(scene, trace, ulp, limits)
+    else {
+        return Vec::new();
+    };
+    errors.found.into_iter().take(same).collect()
+}
+
+/// Estimated errors of where the balls are in the end, in scene order, length, of a run in which balls stay in contact: through all rounding, and through what
+/// was left of approaches when contacts began. NaN of a ball whose place has no derivative. Empty for other runs, and where the run cannot be taken again.
+pub fn place_errors(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> Vec<f64> {
+    if !holds_balls(trace, ulp) {
+        return Vec::new();
+    }
+    let found = followed(scene, trace, ulp, limits);
+    let whole = found.filter(|found| found.same == trace.events.len());
+    whole.map_or_else(Vec::new, |found| derived::place_errors(&found, DEVIATIONS))
+}
+
+/// A run taken again with the errors of its events.
+fn followed(scene: &Scene, trace: &Trace, ulp: f64, limits: &Limits<'_>) -> Option<Found> {
+    let task = Task::Errors(Box::new(Errors {
+        draws: Draws::new(SEED, 0),
+        roundings: [SPEED_ROUNDINGS, CLOCK],
+        deviations: DEVIATIONS,
+        found: Vec::new(),
+        of_law: 0.0,
+        taken: Vec::new(),
+    }));
+    let seeds = Seeds {
+        estimates: true,
+        ..Seeds::default()
+    };
+    follow(scene, trace, ulp, seeds, task, limits)
 }
 
 /// For each event the time of the first one later than it of any of its balls, s; infinite where there is none. One pass from the end.

@@ -27,6 +27,8 @@ pub struct ClusterImpact<T: Real> {
     pub leaving: Vec<usize>,
     /// What each contact did, in order.
     pub rows: Vec<ContactRow<T>>,
+    /// What velocities may be off by beyond rounding, length/s.
+    pub error: f64,
 }
 
 /// What one contact did at the instant.
@@ -109,6 +111,7 @@ impl<T: Real> ClusterImpact<T> {
         };
         Ok(ClusterImpact {
             rows: rows(cluster, &found),
+            error: found.error,
             leaving: (0..sides.len()).filter(|i| leaves(&sides[*i])).collect(),
             sides,
         })

@@ -94,6 +94,11 @@ impl<T: Real> Loop<'_, T> {
         };
         let mut gathered = self.connected(encounter, &steady);
         let still = self.slow * T::lift(OVER);
+        let before = if T::DIFFERENTIATES {
+            gathered.members.clone()
+        } else {
+            Vec::new()
+        };
         for m in &mut gathered.members {
             *m = member_but_for(world, m.ball, m.moving, still);
         }
@@ -106,6 +111,9 @@ impl<T: Real> Loop<'_, T> {
             .filter(|_| is_least);
         close_gaps(world, &mut gathered.members, &gathered.touches);
         take_out(world, &mut gathered.members, &gathered.touches, shrinks);
+        if T::DIFFERENTIATES {
+            self.note_taken(&before, &gathered.touches);
+        }
         self.touches(encounter, gathered)
     }
 
@@ -126,10 +134,17 @@ impl<T: Real> Loop<'_, T> {
         };
         let (scene, now) = (self.balls.scene(), given.time.widen());
         let mut balls = Kinematics::<T::Finer>::taking_over(scene, now, &from);
+        let mut derived = self.derived.take();
+        if let Some(derived) = &derived {
+            balls = balls.in_world(|world| derived.of_world(scene, world));
+        }
         take_up(&mut balls, &given, &closed);
         let nothing = balls.world().none;
         let most = nothing * T::Finer::lift(1.0 / NONE);
         let before: Vec<u32> = (0..balls.count()).map(|ball| balls.version(ball)).collect();
+        if let Some(derived) = &mut derived {
+            derived.look_at(&balls);
+        }
         let mut fine = Loop {
             agenda: Agenda::new(&balls, Partners::Auto),
             streaks: Streaks::new(balls.count()),
@@ -139,6 +154,7 @@ impl<T: Real> Loop<'_, T> {
             is_fine: true,
             blurred: false,
             approaches: Approaches::new(),
+            derived,
             balls,
             journal: self.journal.handed_over(),
         };
@@ -149,8 +165,12 @@ impl<T: Real> Loop<'_, T> {
         let mut coarse = Loop {
             journal: fine.journal.handed_over(),
             begun: fine.begun,
+            derived: fine.derived,
             ..self
         };
+        if let Some(derived) = &mut coarse.derived {
+            derived.look_at(&coarse.balls);
+        }
         coarse.balls.advance(taken.time.widen());
         let set_off = take_up(&mut coarse.balls, &taken, &[]);
         coarse.predict_all(&set_off);
@@ -248,6 +268,14 @@ impl<T: Real> Loop<'_, T> {
                     self.agenda.keep_up(&self.balls, upkeep);
                 }
                 Due::Event(time, what) => {
+                    let time = if T::DIFFERENTIATES {
+                        if self.is_past(time) {
+                            return (events.max(1), Some(Ending::Cancelled));
+                        }
+                        self.moved(time, what)
+                    } else {
+                        time
+                    };
                     self.balls.advance(time);
                     let over = events > 0 && self.is_fast(what);
                     if over || self.journal.events() >= limits.max_events || limits.is_cancelled() {
@@ -258,8 +286,12 @@ impl<T: Real> Loop<'_, T> {
                         since = time;
                     }
                     let met = encounter_of(what).map(|e| (e, -self.balls.rate(e)));
-                    if let Some(ending) = self.happen(what) {
-                        return (events, Some(ending));
+                    let ending = self.happen(what);
+                    if T::DIFFERENTIATES {
+                        self.note();
+                    }
+                    if ending.is_some() {
+                        return (events, ending);
                     }
                     if let Some((encounter, closing)) = met {
                         self.approaches.note(encounter, closing);

@@ -104,6 +104,19 @@ impl<T: Real> Flight<T> {
         }
     }
 
+    /// The same flight with the derivatives of another.
+    pub fn following(self, other: &Self) -> Self {
+        let plane = |own: [T; 2], other: [T; 2]| [0, 1].map(|i| own[i].following(other[i]));
+        Flight {
+            start: self.start.following(other.start),
+            end: self.end.following(other.end),
+            position: plane(self.position, other.position),
+            velocity: plane(self.velocity, other.velocity),
+            acceleration: plane(self.acceleration, other.acceleration),
+            ..self
+        }
+    }
+
     /// True while the centre moves.
     pub fn moves(&self) -> bool {
         self.phase != Phase::Rest

@@ -136,6 +136,13 @@ impl<T: Real> Impact<T, 2> {
         let closing = (one.velocity[0] - other.velocity[0]) * n.x
             + (one.velocity[1] - other.velocity[1]) * n.y;
         let (first, second) = (one.body(balls), other.body(balls));
+        let law = match law {
+            // the same to the bit, with a number that has derivatives
+            Contact::Elastic {} if T::DIFFERENTIATES => Contact::Inelastic {
+                e: T::one() + balls.world().restitution[0],
+            },
+            law => law,
+        };
         // balls that do not turn do not rub
         let friction = balls.world().friction.filter(|_| balls.rotates());
         let (motion, reaction) = contact::impact(law, friction, &first, &second, &n);
@@ -155,12 +162,30 @@ impl<T: Real> Impact<T, 1> {
     #[inline(always)]
     pub fn on_cushion(balls: &Kinematics<'_, T>, law: Cushion<T>, a: usize, edge: Side) -> Self {
         let one = Arrival::of(balls, a);
+        let law = match law {
+            Cushion::Elastic {} if T::DIFFERENTIATES => Cushion::Restitution {
+                e: T::one() + balls.world().restitution[1],
+            },
+            law => law,
+        };
         let motion = cushion::impact(law, &one.body(balls), edge).motion;
         Impact {
             encounter: Encounter::Cushion(a, edge),
             sides: [one.moved_by(balls, &motion)],
             closing: one.velocity[edge.axis()].abs(),
         }
+    }
+}
+
+impl<T: Real> Impact<T, 1> {
+    /// What the law of an impact on a cushion may be off by, length/s.
+    pub fn error_on_cushion(
+        balls: &Kinematics<'_, T>,
+        law: Cushion<T>,
+        a: usize,
+        edge: Side,
+    ) -> f64 {
+        cushion::impact(law, &Arrival::of(balls, a).body(balls), edge).error
     }
 }
 

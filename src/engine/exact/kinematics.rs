@@ -56,6 +56,16 @@ impl<'a, T: Real> Kinematics<'a, T> {
     pub fn new(scene: &'a Scene) -> Self {
         let world = World::new(scene);
         let (flights, spins) = world.first_flights(scene);
+        Kinematics::begin(scene, world, flights, spins)
+    }
+
+    /// Balls at time 0 in a world of one's own.
+    pub fn begin(
+        scene: &'a Scene,
+        world: World<T>,
+        flights: Vec<Flight<T>>,
+        spins: Vec<Spin<T>>,
+    ) -> Self {
         let mut kinematics = Kinematics {
             scene,
             world,
@@ -88,6 +98,14 @@ impl<'a, T: Real> Kinematics<'a, T> {
         balls
     }
 
+    /// The same in a world of one's own.
+    pub fn in_world(self, world: impl FnOnce(World<T>) -> World<T>) -> Self {
+        Kinematics {
+            world: world(self.world),
+            ..self
+        }
+    }
+
     /// The scene: names, and the third dimension of states.
     pub fn scene(&self) -> &'a Scene {
         self.scene
@@ -114,7 +132,38 @@ impl<'a, T: Real> Kinematics<'a, T> {
     /// Sets the clock to `time`, s; never back.
     #[inline]
     pub fn advance(&mut self, time: T) {
-        self.now = self.now.at_least(time);
+        self.now = self.now.at_least(time).following(time);
+    }
+
+    /// How a ball moves at a time of its course, s.
+    pub fn moving_at(&self, ball: usize, time: T) -> Moving<T> {
+        let flight = &self.flights[ball];
+        if !self.quiet
+            && flight.phase == Phase::Held
+            && let Some(moving) = (self.contacts.of(ball)).and_then(|held| held.at(ball, time))
+        {
+            return moving;
+        }
+        let (position, velocity) = flight.at(time);
+        let spin = self.spins.get(ball);
+        Moving {
+            position,
+            velocity,
+            spin: spin.map_or([T::zero(); 3], |spin| spin.after(time - flight.start)),
+        }
+    }
+
+    /// Gives what a ball does the derivatives of a course.
+    pub fn derive(&mut self, ball: usize, course: &Course<T>) {
+        self.flights[ball] = self.flights[ball].following(&course.flight);
+        if let (Some(spin), Some(next)) = (self.spins.get_mut(ball), &course.spin) {
+            *spin = spin.following(next);
+        }
+    }
+
+    /// The same of a group.
+    pub fn derive_held(&mut self, ball: usize) -> Option<&mut Held<T>> {
+        self.contacts.of_mut(ball)
     }
 
     /// How the centres of all balls move.
@@ -226,6 +275,24 @@ impl<'a, T: Real> Kinematics<'a, T> {
         }
     }
 
+    /// The gap of two parties, length, and its rate, length/s, at a time of their courses, s.
+    pub fn gap_at(&self, encounter: Encounter, time: T) -> (T, T) {
+        match encounter {
+            Encounter::Pair(a, b) => {
+                let (one, other) = (self.moving_at(a, time), self.moving_at(b, time));
+                let [x, y] = [0, 1].map(|i| other.position[i] - one.position[i]);
+                let gap = (x * x + y * y).sqrt() - self.world.distance(a, b);
+                (gap, rate_between(&one, &other))
+            }
+            Encounter::Cushion(a, side) => {
+                let moving = self.moving_at(a, time);
+                let beyond = self.world.reach[a][side as usize] - moving.position[side.axis()];
+                let gap = if side.sign() < 0 { -beyond } else { beyond };
+                (gap, rate_to(&moving, side))
+            }
+        }
+    }
+
     /// What a ball does.
     pub fn course_of(&self, ball: usize) -> Course<T> {
         Course {
@@ -255,6 +322,11 @@ impl<'a, T: Real> Kinematics<'a, T> {
     #[cold]
     #[inline(never)]
     fn turning(&self, rotation: &Rotation<T>, ball: usize, moving: Moving<T>) -> Course<T> {
+        let moving = if T::DIFFERENTIATES {
+            rotation.unspun(moving)
+        } else {
+            moving
+        };
         let (flight, spin) = rotation.depart(self.world.radius[ball], self.now, moving);
         Course {
             flight,

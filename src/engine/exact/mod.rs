@@ -12,7 +12,7 @@
 //! - `contact`, where a run follows them: balls that stay in contact; `sustained` is the loop's part in them. `finer`: impacts that shrink to such a
 //!   contact, in the next scalar with more digits. `encounter`: who meets whom.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
-//! - `tangent`: the events of a trace again, with derivatives; from it `certainty` (margin, condition, error of each event),
+//! - `tangent`: the events of a trace again, with derivatives; `derived`: the same by the solver itself in dual numbers, where balls stay in contact; from it `certainty` (margin, condition, error of each event),
 //!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the
 //!   oracle's to say.
 //!
@@ -31,6 +31,7 @@ mod certainty;
 mod cluster_impact;
 mod collapse;
 mod contact;
+mod derived;
 mod encounter;
 mod finer;
 pub mod flight;
@@ -55,7 +56,7 @@ mod tangent;
 mod world;
 
 pub use agenda::Partners;
-pub use certainty::{MOST_BALLS, certify};
+pub use certainty::{MOST_BALLS, certify, place_errors};
 pub use solution::{Solution, final_positions, solve};
 
 use super::setting::{knobs_of, parameters};

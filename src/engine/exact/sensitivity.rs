@@ -1,5 +1,6 @@
 //! What a run depends on: its growth, and the derivative of where every ball ends by each input.
 
+use super::derived::{Found, LANES, PARTS, Seeds, Task, follow, holds_balls};
 use super::spin::Moving;
 use super::tangent::{Replay, Rough, Script};
 use crate::engine::Limits;
@@ -10,11 +11,10 @@ use crate::trace::Trace;
 use nalgebra::DMatrix;
 use num_traits::Zero;
 
-/// Derivatives that one pass over the events carries.
-const LANES: usize = 16;
+pub use super::derived::{Lost, Why};
 
-/// Coordinates of a ball: centre, velocity, spin.
-const PARTS: usize = 7;
+/// Tangent maps are kept up to so many numbers at once; for more the run is taken again.
+const KEPT: usize = 1 << 23;
 
 /// Those of a ball that does not turn.
 const PLANE: usize = 4;
@@ -32,6 +32,10 @@ pub struct Growth {
     pub factors: Vec<f64>,
     /// The first event without a derivative.
     pub rough: Option<usize>,
+    /// Balls that have none from an event on, where the others go on: the factors from there on are those of the others.
+    pub lost: Vec<Lost>,
+    /// Whether the run with derivatives went another way than the trace, at event `rough`.
+    pub differs: bool,
 }
 
 impl Growth {
@@ -49,7 +53,6 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
     if balls > MOST_BALLS {
         return None;
     }
-    let script = Script::new(scene, trace);
     let unit = units(scene);
     // a ball that rests on a cloth stays where it is when its velocity is changed by little
     let slides =
@@ -65,6 +68,10 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
             .filter(move |(_, part)| *part < 2 || slides(ball))
     };
     let columns: Vec<(usize, usize)> = (0..balls).flat_map(coordinates).collect();
+    if holds_balls(trace, ulp(trace)) {
+        return growth_through_contacts(scene, trace, whole, limits, &columns);
+    }
+    let script = Script::new(scene, trace);
     let effects = scene.effects.lift();
     let mut batches: Vec<Replay<'_, LANES>> = columns
         .chunks(LANES)
@@ -97,6 +104,102 @@ pub fn growth(scene: &Scene, trace: &Trace, whole: bool, limits: &Limits<'_>) ->
         }
     }
     Some(growth)
+}
+
+/// Growth along a trace in which balls stay in contact; `columns`: the ball and the part of each input.
+fn growth_through_contacts(
+    scene: &Scene,
+    trace: &Trace,
+    whole: bool,
+    limits: &Limits<'_>,
+    columns: &[(usize, usize)],
+) -> Option<Growth> {
+    let (unit, events, balls) = (units(scene), trace.events.len(), scene.balls.len());
+    let each = columns.len().div_ceil(LANES) * balls * PARTS * LANES;
+    let at_once = (KEPT / each.max(1)).max(1);
+    let mut growth = Growth::default();
+    let mut from = if whole { 0 } else { events.saturating_sub(1) };
+    while from < events && !limits.is_cancelled() {
+        let until = events.min(from + at_once);
+        let batches = columns.chunks(LANES).map(|chunk| {
+            let seeds = chunk.iter().enumerate();
+            let seeds = Seeds {
+                start: seeds
+                    .map(|(lane, (ball, part))| (*ball, *part, lane, unit[*part]))
+                    .collect(),
+                ..Seeds::default()
+            };
+            let task = Task::Maps {
+                range: from..until,
+                found: Vec::new(),
+            };
+            follow(scene, trace, ulp(trace), seeds, task, limits)
+        });
+        let batches: Vec<Found> = batches.collect::<Option<_>>()?;
+        growth.lost = lost(&batches, balls);
+        let same = batches.iter().map(|found| found.same).min().unwrap_or(0);
+        for event in from..until {
+            if event >= same || limits.is_cancelled() {
+                growth.rough = Some(event);
+                growth.differs = event >= same;
+                break;
+            }
+            let maps: Vec<&[f64]> = batches.iter().filter_map(|b| b.map(event - from)).collect();
+            if maps.len() < batches.len() {
+                break;
+            }
+            let goes_on = |ball: &usize| {
+                let gone = growth.lost.iter().find(|lost| lost.ball == *ball);
+                gone.is_none_or(|lost| lost.event > event)
+            };
+            let rows: Vec<usize> = (0..balls).filter(goes_on).collect();
+            if rows.is_empty() {
+                break;
+            }
+            growth
+                .factors
+                .push(largest_stretch(&maps, &rows, columns.len(), unit));
+        }
+        if growth.rough.is_some() {
+            break;
+        }
+        from = until;
+    }
+    let first = growth.lost.iter().map(|lost| lost.event).min();
+    growth.rough = growth.rough.into_iter().chain(first).min();
+    Some(growth)
+}
+
+/// The balls that are lost in any lane, from the first on in which they are.
+fn lost(batches: &[Found], balls: usize) -> Vec<Lost> {
+    let all = batches
+        .iter()
+        .flat_map(|found| (0..LANES).flat_map(|lane| found.lost(lane)));
+    let all: Vec<Lost> = all.collect();
+    let first = |ball: usize| {
+        let own = all.iter().filter(|lost| lost.ball == ball);
+        own.min_by_key(|lost| lost.event).copied()
+    };
+    (0..balls).filter_map(first).collect()
+}
+
+/// The largest singular value of the map to these balls.
+fn largest_stretch(maps: &[&[f64]], balls: &[usize], columns: usize, unit: [f64; PARTS]) -> f64 {
+    let entry = |row: usize, column: usize| {
+        let (ball, part) = (balls[row / PARTS], row % PARTS);
+        let place = (ball * PARTS + part) * LANES + column % LANES;
+        maps[column / LANES][place] / unit[part]
+    };
+    let map = DMatrix::from_fn(PARTS * balls.len(), columns, entry);
+    map.singular_values().max()
+}
+
+/// The spacing of the numbers of a run; f64 where it does not say.
+fn ulp(trace: &Trace) -> f64 {
+    match trace.provenance.ulp {
+        0.0 => f64::EPSILON,
+        ulp => ulp,
+    }
 }
 
 /// Units of the coordinates of a ball: R, the largest initial speed, and that over R.
@@ -195,8 +298,10 @@ pub struct Influence {
     /// The input.
     pub input: Input,
     /// Derivative of every position, length: by rad for the aim, by a relative change for speed and effects, by the number itself
-    /// for a restitution.
+    /// for a restitution. NaN of a ball that has none.
     pub derivative: Vec<[f64; 2]>,
+    /// The balls that have none, and why.
+    pub lost: Vec<Lost>,
 }
 
 impl Influence {
@@ -207,6 +312,7 @@ impl Influence {
             .iter()
             .enumerate()
             .map(moved)
+            .filter(|(_, far)| !far.is_nan())
             .fold(None, |most, next| match most {
                 Some((_, farthest)) if farthest >= next.1 => most,
                 _ => Some(next),
@@ -222,13 +328,16 @@ impl Influence {
 
 /// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
 ///
-/// Empty if an event before then has no derivative, or the run ended before without coming to an end that the scene asks for; and where
+/// Empty if an event before then has no derivative, unless balls stay in contact in the run (then the balls that it leaves without one say so), or the run ended before without coming to an end that the scene asks for; and where
 /// the user asked to stop.
 pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>) -> Vec<Influence> {
     if !trace.ending.is_complete() && until > trace.end_time {
         return Vec::new();
     }
     let inputs = inputs(scene);
+    if holds_balls(trace, ulp(trace)) {
+        return influences_through_contacts(scene, trace, until, limits, &inputs);
+    }
     let script = Script::new(scene, trace);
     let lane = |input: Input| inputs.iter().position(|known| *known == input);
     let seeded = |input: Input, slope: f64| {
@@ -268,6 +377,76 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>)
             .iter()
             .map(|moving| moving.position.map(|x| x.partials[lane]))
             .collect(),
+        lost: Vec::new(),
+    };
+    inputs
+        .iter()
+        .take(LANES)
+        .enumerate()
+        .map(influence)
+        .collect()
+}
+
+/// The same for a trace in which balls stay in contact: those that have no derivative say so, and the others have theirs.
+fn influences_through_contacts(
+    scene: &Scene,
+    trace: &Trace,
+    until: f64,
+    limits: &Limits<'_>,
+    inputs: &[Input],
+) -> Vec<Influence> {
+    let mut seeds = Seeds::default();
+    let cue = scene.cue_ball();
+    let state = Moving::<f64>::lifted(
+        &trace.paths[cue]
+            .state_at(0.0)
+            .unwrap_or(scene.balls[cue].state),
+    );
+    let ([vx, vy], [wx, wy, wz]) = (state.velocity, state.spin);
+    for (lane, input) in inputs.iter().take(LANES).enumerate() {
+        let turned: &[(usize, f64)] = match input {
+            // the whole motion turns about the vertical, or grows
+            Input::Aim => &[(2, -vy), (3, vx), (4, -wy), (5, wx)],
+            Input::Speed => &[(2, vx), (3, vy), (4, wx), (5, wy), (6, wz)],
+            Input::Effect(key) => {
+                scene.effects.map(|of, value| {
+                    if of == *key {
+                        seeds.effects.push((of, lane, value));
+                    }
+                });
+                &[]
+            }
+            Input::BallRestitution => {
+                seeds.restitution[0] = Some(lane);
+                &[]
+            }
+            Input::CushionRestitution => {
+                seeds.restitution[1] = Some(lane);
+                &[]
+            }
+        };
+        let turned = turned
+            .iter()
+            .map(|(part, slope)| (cue, *part, lane, *slope));
+        seeds.start.extend(turned);
+    }
+    let found = follow(scene, trace, ulp(trace), seeds, Task::Places(until), limits);
+    let due = trace
+        .events
+        .iter()
+        .take_while(|event| event.time < until)
+        .count();
+    let Some(found) = found.filter(|found| found.same >= due && !limits.is_cancelled()) else {
+        return Vec::new();
+    };
+    let influence = |(lane, input): (usize, &Input)| Influence {
+        input: *input,
+        derivative: found
+            .places
+            .iter()
+            .map(|place| place.map(|x| x[lane]))
+            .collect(),
+        lost: found.lost(lane),
     };
     inputs
         .iter()

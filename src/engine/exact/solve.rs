@@ -14,6 +14,7 @@ use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
 use super::contact::domain::{is_followed, starts_pressed};
 use super::contact::limit::Approaches;
+use super::derived::Derived;
 use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
 use super::journal::Journal;
@@ -35,15 +36,30 @@ pub struct Solver<'a, T: Real> {
     balls: Kinematics<'a, T>,
     partners: Partners,
     contacts: AtContacts,
+    derived: Option<Box<Derived>>,
 }
 
 impl<'a, T: Real> Solver<'a, T> {
     /// A scene at time 0.
     pub fn new(scene: &'a Scene) -> Self {
+        Solver::of(Kinematics::new(scene))
+    }
+
+    /// Balls at time 0.
+    pub(super) fn of(balls: Kinematics<'a, T>) -> Self {
         Solver {
-            balls: Kinematics::new(scene),
+            balls,
             partners: Partners::Auto,
             contacts: AtContacts::Auto,
+            derived: None,
+        }
+    }
+
+    /// The same run, in dual numbers, with what their derivatives are for.
+    pub(super) fn deriving(self, derived: Derived) -> Self {
+        Solver {
+            derived: Some(Box::new(derived)),
+            ..self
         }
     }
 
@@ -79,6 +95,7 @@ impl<'a, T: Real> Solver<'a, T> {
             balls,
             partners,
             contacts,
+            derived,
         } = self;
         let journal = Journal::new(&balls, provenance, record, times);
         if let Some(ending) = unfit(&balls) {
@@ -86,6 +103,7 @@ impl<'a, T: Real> Solver<'a, T> {
                 ending,
                 balls,
                 journal,
+                derived,
                 work: Work::default(),
             };
         }
@@ -104,6 +122,7 @@ impl<'a, T: Real> Solver<'a, T> {
             is_fine: false,
             approaches: Approaches::new(),
             blurred: false,
+            derived,
             balls,
             journal,
         };
@@ -115,6 +134,7 @@ impl<'a, T: Real> Solver<'a, T> {
             ending,
             work: run.agenda.work(),
             balls: run.balls,
+            derived: run.derived,
             journal: run.journal,
         }
     }
@@ -126,12 +146,23 @@ pub struct Played<'a, T: Real> {
     balls: Kinematics<'a, T>,
     journal: Journal<T>,
     work: Work,
+    derived: Option<Box<Derived>>,
 }
 
 impl<'a, T: Real> Played<'a, T> {
     /// The balls at the end.
     pub fn balls(&self) -> &Kinematics<'a, T> {
         &self.balls
+    }
+
+    /// What went along with a run in dual numbers.
+    pub(super) fn derived(&self) -> Option<&Derived> {
+        self.derived.as_deref()
+    }
+
+    /// The same, to be kept.
+    pub(super) fn take_derived(&mut self) -> Option<Derived> {
+        self.derived.take().map(|derived| *derived)
     }
 
     /// Times of the events, s; empty if they were not kept.
@@ -168,6 +199,8 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) blurred: bool,
     /// How fast parties approached last, of a run that has taken over.
     pub(super) approaches: Approaches<T>,
+    /// What goes along with a run in dual numbers.
+    pub(super) derived: Option<Box<Derived>>,
     pub(super) journal: Journal<T>,
 }
 
@@ -193,10 +226,21 @@ impl<T: Real> Loop<'_, T> {
                         let why = format!("the limit of {} events is reached", limits.max_events);
                         return (Ending::Budget(self.balls.spot(&what.balls(), &why)), self);
                     }
+                    let time = if T::DIFFERENTIATES {
+                        if self.is_past(time) {
+                            return (Ending::Cancelled, self);
+                        }
+                        self.moved(time, what)
+                    } else {
+                        time
+                    };
                     self.balls.advance(time);
                     let mut ending = self.happen(what);
                     if self.blurred {
                         (ending, self) = self.finer(what, limits);
+                    }
+                    if T::DIFFERENTIATES {
+                        self.note();
                     }
                     if let Some(ending) = ending {
                         return (ending, self);
@@ -287,6 +331,9 @@ impl<T: Real> Loop<'_, T> {
             return self.struck_together(Encounter::Cushion(a, side));
         }
         let law = self.balls.world().cushion?;
+        if T::DIFFERENTIATES {
+            self.note_error(Impact::error_on_cushion(&self.balls, law, a, side));
+        }
         let impact = Impact::on_cushion(&self.balls, law, a, side);
         self.impact(&impact)
     }
@@ -387,6 +434,10 @@ impl<T: Real> Loop<'_, T> {
             Ok(cluster) => cluster,
             Err(ending) => return Some(ending),
         };
+        if T::DIFFERENTIATES {
+            self.note_error(cluster.error);
+            self.note_cluster(&mut cluster);
+        }
         if let Some(ending) = self.streak(cluster.leaving()) {
             return Some(ending);
         }
@@ -466,6 +517,9 @@ impl<T: Real> Loop<'_, T> {
         };
         let (position, velocity) = self.balls.at(ball);
         let spin = self.balls.spin_now(ball);
+        if T::DIFFERENTIATES {
+            self.note_fall(ball);
+        }
         let last = self.balls.state(ball, position, velocity, spin);
         self.balls.take_out(ball);
         self.agenda.schedule(ball, Candidate::none());

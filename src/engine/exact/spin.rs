@@ -39,6 +39,16 @@ pub struct Spin<T> {
 }
 
 impl<T: Real> Spin<T> {
+    /// The same spin with the derivatives of another.
+    pub fn following(self, other: &Self) -> Self {
+        let space = |own: [T; 3], other: [T; 3]| [0, 1, 2].map(|i| own[i].following(other[i]));
+        Spin {
+            start: space(self.start, other.start),
+            rate: space(self.rate, other.rate),
+            ..self
+        }
+    }
+
     /// No rotation.
     pub fn none() -> Self {
         Spin {
@@ -100,6 +110,25 @@ impl<T: Real> Moving<T> {
 }
 
 impl<T: Real> Moving<T> {
+    /// A ball at rest at the origin.
+    pub fn at_rest() -> Self {
+        Moving {
+            position: [T::zero(); 2],
+            velocity: [T::zero(); 2],
+            spin: [T::zero(); 3],
+        }
+    }
+
+    /// The same motion with the derivatives of another.
+    pub fn following(self, other: &Self) -> Self {
+        let plane = |own: [T; 2], other: [T; 2]| [0, 1].map(|i| own[i].following(other[i]));
+        Moving {
+            position: plane(self.position, other.position),
+            velocity: plane(self.velocity, other.velocity),
+            spin: [0, 1, 2].map(|i| self.spin[i].following(other.spin[i])),
+        }
+    }
+
     /// One of its seven numbers: x, y, their rates, and the three of the spin.
     pub fn part(&mut self, part: usize) -> &mut T {
         match part {
@@ -191,6 +220,14 @@ impl<T: Real> Rotation<T> {
             }
         }
         (flight, spin)
+    }
+
+    /// A motion whose spin about the vertical is none: the cloth takes what is small of it at once, and at first order for good.
+    pub fn unspun(&self, mut moving: Moving<T>) -> Moving<T> {
+        if moving.spin[2] == T::zero() && self.spin > T::zero() {
+            moving.spin[2] = moving.spin[2].detached();
+        }
+        moving
     }
 
     fn slide(&self, radius: T, start: T, moving: Moving<T>, slip: [T; 2]) -> (Flight<T>, Spin<T>) {

@@ -30,7 +30,11 @@ pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
     // a stretch that reaches the end of the run ends after it, which is no event
     let most = (world.duration - balls.now()) * T::lift(PAST_THE_END);
     let tick = balls.now() * T::lift(T::ULP);
-    Arc::of(world, group, most, tick)
+    let mut arc = Arc::of(world, group, most, tick);
+    if T::DIFFERENTIATES {
+        arc.tell_slopes(world, group);
+    }
+    arc
 }
 
 /// Stretches without a change between them, at most: one that turns towards its end takes a few for each bit of the scalar.
@@ -95,6 +99,9 @@ impl<T: Real> Loop<'_, T> {
         } else {
             held.stuck + 1
         };
+        if T::DIFFERENTIATES {
+            self.note_turn(&mut group.members, held.start, held.arc.length <= moment);
+        }
         let mut gone = Vec::new();
         for change in &changes {
             match *change {
@@ -315,10 +322,16 @@ impl<T: Real> Loop<'_, T> {
             return self.shrinks(encounter);
         }
         let mut gathered = self.gather(encounter, &Steady::of(self.balls.world()));
+        if T::DIFFERENTIATES {
+            self.note_together(&mut gathered.members, &gathered.touches);
+        }
         let impact = match self.resolve(encounter, &gathered) {
             Ok(impact) => impact,
             Err(ending) => return Some(ending),
         };
+        if T::DIFFERENTIATES {
+            self.note_error(impact.error);
+        }
         if let Some(ending) = self.streak(&impact.sides) {
             return Some(ending);
         }

@@ -155,7 +155,7 @@ impl<'a, const N: usize> Replay<'a, N> {
                 Some(self.end(index, event.time, a as usize))
             }
             EventKind::Pocket(a, pocket) => self.fall(event.time, a as usize, pocket as usize),
-            // how long balls are held, and what they do meanwhile, is not taken again
+            // how long balls are held, and what they do meanwhile, is for `derived`
             EventKind::ContactBegin(..) | EventKind::ContactEnd(..) => None,
         };
         Some(time.ok_or(Rough { index }))

@@ -5,7 +5,7 @@ use super::spin::{Moving, Rotation, Spin};
 use crate::math::Real;
 use crate::math::first_root::Blur;
 use crate::physics::contact::plan_distance;
-use crate::physics::{Contact, Cushion, Friction, Side};
+use crate::physics::{Contact, Cushion, Effects, Friction, Side};
 use crate::scene::Scene;
 
 /// Roundings that a coordinate has seen when it enters a decision: two products, two sums.
@@ -44,6 +44,10 @@ pub struct World<T> {
     pub friction: Option<Friction<T>>,
     /// The law of cushions.
     pub cushion: Option<Cushion<T>>,
+    /// Change of the restitution of elastic balls, and of elastic cushions: 0 with its derivatives.
+    pub restitution: [T; 2],
+    /// Whether derivatives are those of errors, for which any of several that there are will do.
+    pub estimates: bool,
     /// Pockets: x, y and radius.
     pub pockets: Vec<[T; 3]>,
     /// Contact distance if all radii are equal.
@@ -127,6 +131,8 @@ impl<T: Real> World<T> {
             contact: effects.contact,
             friction: effects.friction,
             cushion: effects.cushion,
+            restitution: [T::zero(); 2],
+            estimates: false,
             pockets: effects
                 .pockets
                 .map_or_else(Vec::new, |pockets| pockets.circles),
@@ -156,6 +162,20 @@ impl<T: Real> World<T> {
             accuracy: T::ULP.max(from.ulp * from.ulp.sqrt()),
             longest: from.longest,
             none: (noise * T::lift(NONE)).at_least(self.blurs()),
+            ..self
+        }
+    }
+
+    /// The same with laws whose numbers have derivatives.
+    pub fn with_laws(self, effects: &Effects<T>, gravity: f64, restitution: [T; 2]) -> Self {
+        let gravity = T::lift(gravity);
+        World {
+            ground: Ground::new(effects, gravity),
+            rotation: Rotation::new(effects, gravity),
+            contact: effects.contact,
+            friction: effects.friction,
+            cushion: effects.cushion,
+            restitution,
             ..self
         }
     }
@@ -220,7 +240,7 @@ impl<T: Real> World<T> {
     pub fn restitution(&self) -> T {
         match self.contact {
             Some(Contact::Inelastic { e }) => e,
-            None | Some(Contact::Elastic {}) => T::one(),
+            None | Some(Contact::Elastic {}) => T::one() + self.restitution[0],
         }
     }
 
@@ -228,7 +248,7 @@ impl<T: Real> World<T> {
     pub fn restitution_of_cushions(&self) -> Option<T> {
         match self.cushion {
             Some(Cushion::Restitution { e }) => Some(e),
-            Some(Cushion::Elastic {}) => Some(T::one()),
+            Some(Cushion::Elastic {}) => Some(T::one() + self.restitution[1]),
             None | Some(Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. }) => None,
         }
     }

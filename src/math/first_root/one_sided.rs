@@ -313,18 +313,18 @@ impl<T: Real> Curve<T> {
         let mut here = here;
         let mut inverse = T::one() / here.slope;
         let mut step = here.f * inverse;
-        if T::BITS > MANY_BITS || T::DIFFERENTIATES || !self.is_tight(&here, step) {
+        if T::BITS > MANY_BITS || !self.is_tight(&here, step) {
             here = self.polished(here);
             inverse = T::one() / here.slope;
             step = here.f * inverse;
         }
-        if T::DIFFERENTIATES {
+        let mut t = (here.t - step).at_least(T::zero());
+        if T::DIFFERENTIATES && t > T::zero() {
             // the root moves as -(change of f) / f' when the step starts where nothing moves, and at the root itself: a start
-            // that is off by s leaves an error of the order of s
-            here = self.at(here.t.detached());
-            step = here.f / here.slope;
+            // that is off by s leaves an error of the order of s; the value stays that of a scalar without derivatives
+            let there = self.at(self.polished(here).t.detached());
+            t = t.following(there.t - there.f / there.slope);
         }
-        let t = (here.t - step).at_least(T::zero());
         let square = here.slope * here.slope;
         let slow = (self.approach.distance + self.approach.distance) * blur.speed;
         // where this fails an error of the size of the blur moves the contact without bound: see `error.rs`

@@ -18,8 +18,8 @@ pub use page::{page, summary, thumbnail};
 pub use replay::replay;
 pub use scale::LengthUnit;
 pub use words::{
-    describe_ending, describe_event, describe_growth, describe_kind, describe_order,
-    describe_scene, describe_span,
+    describe_ending, describe_event, describe_growth, describe_kind, describe_lost, describe_order,
+    describe_rough, describe_scene, describe_span,
 };
 
 use super::Extent;

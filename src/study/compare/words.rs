@@ -1,7 +1,7 @@
 //! Scenes, events and endings in plain words.
 
 use crate::compare::Order;
-use crate::oracle::Horizon;
+use crate::oracle::{Growth, Horizon, Lost, Why};
 use crate::physics::Pockets;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
@@ -102,9 +102,45 @@ pub fn describe_horizon(horizon: &Horizon) -> String {
         )
     };
     match &horizon.growth {
-        Some(growth) => format!("{reach}, growth {}", describe_growth(growth.last())),
+        Some(growth) => {
+            let whose = if growth.lost.is_empty() {
+                ""
+            } else {
+                " of those that have one"
+            };
+            format!("{reach}, growth{whose} {}", describe_growth(growth.last()))
+        }
         None => reach,
     }
+}
+
+/// `no derivative has ball 2 from event 7 on (there two things come at one instant that a small change sets apart), ball 3 from event 9 on (it met one
+/// without)`.
+pub fn describe_lost(lost: &[Lost], trace: &Trace) -> String {
+    let each = lost.iter().map(|lost| {
+        let why = match lost.why {
+            Why::Together => "there two things come at one instant that a small change sets apart",
+            Why::Met => "it met one without",
+        };
+        let (ball, event) = (&trace.balls[lost.ball], lost.event + 1);
+        format!("ball {ball} from event {event} on ({why})")
+    });
+    format!("no derivative has {}", each.collect::<Vec<_>>().join(", "))
+}
+
+/// Up to where the growth of a run is known, in one sentence; `None` if all along and of all balls.
+pub fn describe_rough(growth: &Growth, trace: &Trace) -> Option<String> {
+    let event = growth.rough?;
+    Some(if growth.differs {
+        format!("known up to event {event} only: then the run with derivatives goes another way")
+    } else if growth.lost.is_empty() {
+        format!(
+            "known up to event {event} only: then a convention resolved several contacts at once"
+        )
+    } else {
+        let others = "that of the others from there on";
+        format!("{others}: {}", describe_lost(&growth.lost, trace))
+    })
 }
 
 /// `812 x`.

@@ -146,7 +146,9 @@ fn derivatives_with_rotation_are_those_of_perturbed_pairs() {
     let by = 1e-10;
     let mut compared = 0;
     for influence in &found {
-        let Influence { input, derivative } = influence;
+        let Influence {
+            input, derivative, ..
+        } = influence;
         let mut changed = scene.clone();
         match input {
             Input::Speed => {

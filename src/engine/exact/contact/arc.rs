@@ -26,6 +26,14 @@ const LOOKS: usize = 8;
 /// The sizes of all terms of a velocity add up to no more than this many times the largest speed at the start.
 const BEYOND: f64 = 16.0;
 
+/// What a derivative leaves out within a piece of a stretch, in parts of its size.
+const SLOPES: f64 = 1e-12;
+
+/// Pieces in which the derivatives of a stretch are told, at most, and this near to its end no more: a slip that ends there turns by what is left of
+/// it, and its logarithm.
+const MOST_PIECES: usize = 200;
+const NEAR_THE_END: f64 = 1e-8;
+
 /// Units of time that are tried, each this part of the one before.
 const UNITS: usize = 24;
 const SHORTER: f64 = 1e-3;
@@ -54,11 +62,21 @@ pub struct Series<T> {
     pub jerk: f64,
     /// Whether it slips over the cloth.
     pub slides: bool,
+    /// Series from later times on, s, whose derivatives are told farther than those of this one.
+    slopes: Vec<(T, Series<T>)>,
 }
 
 impl<T: Real> Series<T> {
     /// How it moves `h` seconds after the start.
     pub fn at(&self, h: T) -> Moving<T> {
+        let mut later = self.slopes.iter().rev();
+        match later.find(|(start, _)| *start <= h) {
+            Some((start, series)) => self.plain(h).following(&series.plain(h - *start)),
+            None => self.plain(h),
+        }
+    }
+
+    fn plain(&self, h: T) -> Moving<T> {
         let h = h / self.unit;
         Moving {
             position: [0, 1].map(|axis| at(&self.position[axis], h)),
@@ -106,6 +124,7 @@ impl<T: Real> Series<T> {
             velocity,
             spin,
             slides,
+            slopes: Vec::new(),
         }
     }
 }
@@ -119,6 +138,8 @@ pub struct Arc<T> {
     pub series: Vec<Series<T>>,
     /// What ends it; empty where the series ends before anything changes.
     pub changes: Vec<Change>,
+    /// How far its derivatives are told by it, s.
+    told: T,
 }
 
 impl<T: Real> Arc<T> {
@@ -157,13 +178,17 @@ impl<T: Real> Arc<T> {
             .iter()
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
-        let (length, mut changes) = first_change(&watched, length);
+        let (mut length, mut changes) = first_change(&watched, length);
+        let first = changes.clone();
         // what the cloth ends within a tick is over, too
         let none = world.over(loudest).at_least(world.strongest() * tick);
         for change in over(&watched, length, none) {
             if !changes.contains(&change) {
                 changes.push(change);
             }
+        }
+        if T::DIFFERENTIATES && !first.is_empty() {
+            length = length.following(moves(&watched, [&first, &changes], length, world.estimates));
         }
         let series = group.members.iter().enumerate().map(|(i, member)| {
             let own = |nodes: &[Node]| -> Vec<Vec<T>> {
@@ -189,8 +214,44 @@ impl<T: Real> Arc<T> {
         });
         Arc {
             series: series.collect(),
+            told: told_slopes(&equations, length).detached() * unit.detached(),
             length: length * unit,
             changes,
+        }
+    }
+
+    /// Goes on with derivatives where their series end before the stretch does. What moves along a line has series that end by themselves, up to where its
+    /// slip ends; but aside of it the slip turns, and those of derivatives do not reach that far.
+    pub fn tell_slopes(&mut self, world: &World<T>, group: &Group<T>) {
+        let whole = self.length.detached();
+        let mut group = group.clone();
+        let mut at = self.told;
+        let strongest = world.strongest().detached();
+        let over = world.over(loudest(world, &group.members)).detached() / strongest;
+        let least = (whole * T::lift(NEAR_THE_END)).at_least(over);
+        for _ in 0..MOST_PIECES {
+            if whole - at <= least {
+                break;
+            }
+            for (member, series) in group.members.iter_mut().zip(&self.series) {
+                member.moving = series.at(at);
+            }
+            let piece = Arc::of(world, &group, whole - at, T::zero());
+            let told = piece.told.at_least(least);
+            for (series, next) in self.series.iter_mut().zip(piece.series) {
+                series.slopes.push((at, next));
+            }
+            at += told;
+        }
+        if whole - at > least {
+            // they are not told to the end
+            for series in &mut self.series {
+                let mut last = series.clone();
+                for input in 0..T::INPUTS {
+                    last.unit = last.unit.nudged(input, f64::NAN);
+                }
+                series.slopes.push((at, last));
+            }
         }
     }
 
@@ -213,6 +274,26 @@ impl<T: Real> Arc<T> {
         }
         states
     }
+}
+
+/// How far the derivatives of velocities and spins are told, of a stretch of this length; both in units of the time.
+fn told_slopes<T: Real>(equations: &Equations<T>, length: T) -> T {
+    let nodes = || equations.velocity.iter().flatten();
+    let turns = equations.spin.iter().flatten();
+    let all: Vec<&[T]> = (nodes().chain(turns))
+        .map(|node| equations.tape.series(*node))
+        .collect();
+    let mut told = length;
+    for lane in 0..T::INPUTS {
+        for series in &all {
+            let slopes: Vec<f64> = series.iter().map(|c| c.partial(lane)).collect();
+            let size = slopes.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            if size > 0.0 && size.is_finite() {
+                told = told.at_most(T::lift(reach(&slopes, size, SLOPES)));
+            }
+        }
+    }
+    told
 }
 
 /// The equations of a group with their series, and the unit of its time, s. Where a slip soon vanishes a coefficient can leave the range of numbers: then in
@@ -273,7 +354,7 @@ fn pace<T: Real>(world: &World<T>, equations: &Equations<T>) -> T {
 /// The coefficients of a node without the zeros at the end.
 fn trimmed<T: Real>(tape: &Tape<T>, node: Node) -> Vec<T> {
     let series = tape.series(node);
-    let last = series.iter().rposition(|c| *c != T::zero()).unwrap_or(0);
+    let last = series.iter().rposition(|c| !c.is_nothing()).unwrap_or(0);
     series[..=last].to_vec()
 }
 
@@ -289,7 +370,25 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
     }
     let together = first * T::lift(1.0 + 1024.0 * T::ULP);
     let changes = changes.into_iter().filter(|(_, when)| *when <= together);
-    (first, changes.map(|(change, _)| change).collect())
+    let changes: Vec<Change> = changes.map(|(change, _)| change).collect();
+    (first, changes)
+}
+
+/// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first, unless `any` will do.
+fn moves<T: Real>(watched: &[(Change, &[T])], changes: [&[Change]; 2], first: T, any: bool) -> T {
+    let first = first.detached();
+    let mut time: Option<T> = None;
+    for changes in changes {
+        for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
+            let own = first - at(series, first) / slope_at(series, first);
+            time = Some(match time {
+                Some(time) if any => time,
+                Some(time) => time.common(own),
+                None => own,
+            });
+        }
+    }
+    time.unwrap_or(first)
 }
 
 /// When a series that is positive first falls to zero within `length`.

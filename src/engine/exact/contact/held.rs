@@ -31,7 +31,8 @@ impl<T: Real> Held<T> {
 
     /// How a ball moves at `time`, s; no later than the end of the stretch, whatever the clock can tell.
     pub fn at(&self, ball: usize, time: T) -> Option<Moving<T>> {
-        let after = (time - self.start).at_most(self.arc.length);
+        let since = time - self.start;
+        let after = since.at_most(self.arc.length).following(since);
         Some(self.series(ball)?.at(after))
     }
 
@@ -68,6 +69,12 @@ impl<T: Real> Contacts<T> {
     /// The group of a ball.
     pub fn of(&self, ball: usize) -> Option<&Held<T>> {
         self.held.iter().find(|held| held.series(ball).is_some())
+    }
+
+    /// The same, to be given other derivatives.
+    pub fn of_mut(&mut self, ball: usize) -> Option<&mut Held<T>> {
+        let mut held = self.held.iter_mut();
+        held.find(|held| held.series(ball).is_some())
     }
 
     /// All groups.

@@ -5,7 +5,7 @@
 //! - [`held`]: the groups of a run; [`domain`]: in which scenes; [`meet`], `row`: what meets their balls.
 //!
 //! Not built: friction that holds two balls without slip; what Han's and Mathavan's cushions
-//! do to a ball that lies against them, which is taken for smooth; derivatives, which end where a contact begins.
+//! do to a ball that lies against them, which is taken for smooth.
 //!
 //! Our reading where laws are silent: the loss of rolling acts wholly while a ball is pressed, as it does between two impacts but not in
 //! the slides that an impact leaves; so contact is not the limit of ever smaller bounces, which lose less. A ball at rest stays while its push is below

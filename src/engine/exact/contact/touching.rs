@@ -173,6 +173,16 @@ pub fn keep_contacts<T: Real>(world: &World<T>, members: &mut [Member<T>], touch
     calm(world, members, touches);
 }
 
+/// The same for what has derivatives, and nothing else: none opens or closes a contact.
+pub fn keep_slopes<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
+    let gap = |members: &[Member<T>], touch: Touch| gap(world, members, touch);
+    even_out_derivatives(world, members, touches, gap, |moving| &mut moving.position);
+    even_out_derivatives(world, members, touches, rate, |moving| &mut moving.velocity);
+    for m in members {
+        resettle(world, m, T::zero());
+    }
+}
+
 /// Takes out of balls what is left of approach and parting of contacts, by impulses along them to which each ball answers as what it does lets it: the
 /// nearest velocities by kinetic energy, which it never raises.
 pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
@@ -189,7 +199,15 @@ pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Tou
 /// Moves balls so that contacts are at contact; those that rest where others do not stay.
 pub fn close_gaps<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
     let none = world.blur.length * T::lift(ULPS);
-    let gap = |members: &[Member<T>], touch: Touch| match touch {
+    let gap = |members: &[Member<T>], touch: Touch| gap(world, members, touch);
+    even_out(world, members, touches, none, gap, |moving| {
+        &mut moving.position
+    });
+}
+
+/// The gap of two parties, length.
+fn gap<T: Real>(world: &World<T>, members: &[Member<T>], touch: Touch) -> T {
+    match touch {
         Touch::Pair(a, b) => {
             let [x, y] = between(members, a, b);
             (x * x + y * y).sqrt() - world.distance(members[a].ball, members[b].ball)
@@ -199,10 +217,7 @@ pub fn close_gaps<T: Real>(world: &World<T>, members: &mut [Member<T>], touches:
             let beyond = world.reach[*ball][side as usize] - moving.position[side.axis()];
             if side.sign() < 0 { -beyond } else { beyond }
         }
-    };
-    even_out(world, members, touches, none, gap, |moving| {
-        &mut moving.position
-    });
+    }
 }
 
 /// What a push along a contact moves: each party by how much for one unit, and where to.
@@ -286,7 +301,7 @@ fn even_out<T: Real>(
         let offs: Vec<T> = touches.iter().map(|touch| off(members, *touch)).collect();
         let most = largest(&offs);
         if most <= none {
-            return;
+            break;
         }
         let pushes = touches.iter().map(|touch| Push::of(world, members, *touch));
         let pushes: Vec<Push<T>> = pushes.collect();
@@ -305,6 +320,48 @@ fn even_out<T: Real>(
         }
         for (touch, push) in touches.iter().zip(&pushes) {
             let size = off(members, *touch) / push.takes_out(push);
+            give_way(members, push, size);
+        }
+    }
+    if T::DIFFERENTIATES {
+        even_out_derivatives(world, members, touches, off, part);
+    }
+}
+
+/// Takes the derivatives of what contacts are `off` by out of balls, whose values stay.
+fn even_out_derivatives<T: Real>(
+    world: &World<T>,
+    members: &mut [Member<T>],
+    touches: &[Touch],
+    off: impl Fn(&[Member<T>], Touch) -> T,
+    part: impl Fn(&mut Moving<T>) -> &mut [T; 2],
+) {
+    let pushes = touches.iter().map(|touch| Push::of(world, members, *touch));
+    let pushes: Vec<Push<T>> = pushes.collect();
+    let give_way = |members: &mut [Member<T>], push: &Push<T>, size: T| {
+        for (m, way) in &push.parties {
+            for (k, way) in way.iter().enumerate() {
+                part(&mut members[*m].moving)[k] += *way * size;
+            }
+        }
+    };
+    // only what has derivatives, of the value 0
+    let slope = |members: &[Member<T>], touch: Touch| T::zero().following(off(members, touch));
+    let row = |k: &Push<T>| pushes.iter().map(|l| k.takes_out(l)).collect();
+    let rows: Vec<Vec<T>> = pushes.iter().map(row).collect();
+    let size = rows.iter().flatten();
+    let size = size.fold(T::zero(), |most, x| most.at_least(x.abs()));
+    if let Some(factors) = Factors::of(rows, size * T::lift(SINGULAR)) {
+        let mut sizes: Vec<T> = touches.iter().map(|t| slope(members, *t)).collect();
+        factors.solve(&mut sizes);
+        for (push, size) in pushes.iter().zip(sizes) {
+            give_way(members, push, size);
+        }
+        return;
+    }
+    for _ in 0..ROUNDS {
+        for (touch, push) in touches.iter().zip(&pushes) {
+            let size = slope(members, *touch) / push.takes_out(push);
             give_way(members, push, size);
         }
     }

@@ -29,13 +29,16 @@ pub fn impact<T: Real>(numbers: [T; 4], ball: &Body<T>, side: Side) -> Rebound<T
     let (v, w) = (facing(side, &ball.velocity), facing(side, &ball.spin));
     let surface = w * ball.radius;
     let start = [v.x, v.y, surface.x, surface.y, surface.z];
-    let (end, error) = if T::DIFFERENTIATES {
-        rebound(numbers, start, Accuracy::F64)
-    } else {
-        let (numbers, start) = (numbers.map(T::to_f64), start.map(T::to_f64));
-        let (end, error) = rebound(numbers, start, Accuracy::F64);
-        (end.map(T::lift), error)
-    };
+    let plain = (numbers.map(T::to_f64), start.map(T::to_f64));
+    let (end, error) = rebound(plain.0, plain.1, Accuracy::F64);
+    let mut end = end.map(T::lift);
+    if T::DIFFERENTIATES {
+        // the numbers are those of a run without derivatives
+        let (moving, _) = rebound(numbers, start, Accuracy::F64);
+        for (end, moving) in end.iter_mut().zip(moving) {
+            *end = end.following(moving);
+        }
+    }
     let [vx, vy, sx, sy, sz] = end;
     let spin = Vector3::new(sx, sy, sz) / ball.radius;
     let motion = Motion {
