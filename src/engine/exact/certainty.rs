@@ -8,10 +8,11 @@
 //! The work of an event does not depend on how many events the run has, and it has a bound: beyond the horizon nothing is searched
 //! that could not change what is said.
 
-use super::derived::{self, Errors, Found, Seeds, Task, follow, holds_balls};
+use super::derived::{self, Errors, Found, Seeds, Task, holds_balls};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
 use super::predict::Row;
+use super::rerun::follow;
 use super::simultaneous::Cluster;
 use super::spin::Moving;
 use super::tangent::{Replay, Script};

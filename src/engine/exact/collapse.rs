@@ -3,7 +3,7 @@
 //! An event-driven run can be asked for infinitely many impacts before some time. Inelastic balls that are pressed together do it with intervals
 //! that shrink by a factor each time, and so do elastic ones on a cloth (by .78 where a sliding ball presses on a rolling one), because rolling gives
 //! back 2/7 of each impulse; only elastic balls that slide or meet no cloth do not. Where contacts are followed the run goes on from the limit
-//! (`finer`, `contact::limit`). This room is for where they are not, and for balls without a cloth: no number of events gets past the limit's time, so the
+//! (`finer`). This room is for where they are not, and for balls without a cloth: no number of events gets past the limit's time, so the
 //! run must end and say so. One sign is counted for each ball: it is hit again and again while the clock stands still (its time advances by less
 //! than rounding).
 //!

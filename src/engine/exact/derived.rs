@@ -14,20 +14,17 @@
 
 mod notes;
 
-use super::AtContacts;
 use super::contact::touching::keep_slopes;
 use super::flight::Flight;
 use super::kinematics::{Course, Kinematics};
-use super::solve::{Played, Solver};
 use super::spin::Moving;
-use super::sustained::stretch;
+use super::stretch::stretch;
 use super::world::World;
-use crate::engine::Limits;
+use crate::math::Real;
 use crate::math::random::Draws;
-use crate::math::{DoubleDouble, Dual, Octuple, Real};
 use crate::physics::Effects;
 use crate::scene::Scene;
-use crate::trace::{EventKind, Provenance, Record, Trace};
+use crate::trace::{EventKind, Trace};
 
 /// Derivatives that one run carries.
 pub const LANES: usize = 16;
@@ -79,7 +76,7 @@ impl Seeds {
     }
 
     /// A scene at time 0 with these derivatives.
-    fn kinematics<'a, T: Real>(&self, scene: &'a Scene) -> Kinematics<'a, T> {
+    pub(super) fn kinematics<'a, T: Real>(&self, scene: &'a Scene) -> Kinematics<'a, T> {
         let world = self.of_world(scene, World::<T>::new(scene));
         let (mut flights, mut spins) = (Vec::new(), Vec::new());
         for (ball, known) in scene.balls.iter().enumerate() {
@@ -199,7 +196,7 @@ pub struct Found {
     /// Derivatives of where balls are in the end, length.
     pub places: Vec<[[f64; LANES]; 2]>,
     /// Balls that were lost, by lane.
-    lost: Vec<[Option<(usize, Why)>; LANES]>,
+    pub(super) lost: Vec<[Option<(usize, Why)>; LANES]>,
 }
 
 impl Found {
@@ -222,81 +219,8 @@ impl Found {
     }
 }
 
-/// Takes a run again with derivatives; `None` for one in fewer digits than f64.
-pub fn follow(
-    scene: &Scene,
-    trace: &Trace,
-    ulp: f64,
-    seeds: Seeds,
-    task: Task,
-    limits: &Limits<'_>,
-) -> Option<Found> {
-    if ulp <= Octuple::ULP {
-        Some(run::<Octuple>(scene, trace, seeds, task, limits))
-    } else if ulp <= DoubleDouble::ULP {
-        Some(run::<DoubleDouble>(scene, trace, seeds, task, limits))
-    } else if ulp <= f64::EPSILON {
-        Some(run::<f64>(scene, trace, seeds, task, limits))
-    } else {
-        None
-    }
-}
-
-fn run<T: Real>(
-    scene: &Scene,
-    trace: &Trace,
-    seeds: Seeds,
-    task: Task,
-    limits: &Limits<'_>,
-) -> Found {
-    let balls = seeds.kinematics::<Dual<T, LANES>>(scene);
-    let mut derived = Derived {
-        seeds,
-        task,
-        seen: 0,
-        versions: vec![0; balls.count()],
-        fallen: vec![None; balls.count()],
-        lost: vec![[None; LANES]; balls.count()],
-        turned: vec![f64::NEG_INFINITY; balls.count()],
-    };
-    let mut balls = balls;
-    derived.disturb_all(&mut balls);
-    let limits = Limits {
-        max_events: trace.events.len() as u64,
-        ..*limits
-    };
-    let solver = Solver::of(balls).at_contacts(AtContacts::Follow);
-    let solver = solver.deriving(derived);
-    let mut played = solver.play(Provenance::default(), Record::Events, &limits, false);
-    let until = match played.derived() {
-        Some(Derived {
-            task: Task::Places(until),
-            ..
-        }) => until.min(trace.end_time),
-        _ => trace.end_time,
-    };
-    let places = places(&played, until);
-    let derived = played.take_derived();
-    let events = played.trace().events;
-    let both = events.iter().zip(&trace.events);
-    let same = both.take_while(|(ours, theirs)| ours == theirs).count();
-    match derived {
-        Some(derived) => Found {
-            task: derived.task,
-            same,
-            places,
-            lost: derived.lost,
-        },
-        None => Found {
-            task: Task::Places(until),
-            same: 0,
-            places,
-            lost: Vec::new(),
-        },
-    }
-}
-
-fn slopes<T: Real>(x: T) -> [f64; LANES] {
+/// The derivatives of a number.
+pub(super) fn slopes<T: Real>(x: T) -> [f64; LANES] {
     std::array::from_fn(|lane| x.partial(lane))
 }
 
@@ -309,17 +233,43 @@ pub fn place_errors(found: &Found, deviations: f64) -> Vec<f64> {
     found.places.iter().map(error).collect()
 }
 
-/// Derivatives of where all balls are at a time that has none, s.
-fn places<T: Real>(played: &Played<'_, T>, until: f64) -> Vec<[[f64; LANES]; 2]> {
-    let balls = played.balls();
-    let at = |ball: usize| {
-        let fallen = played.derived().and_then(|derived| derived.fallen[ball]);
-        fallen.unwrap_or_else(|| balls.moving_at(ball, T::lift(until)).position.map(slopes))
-    };
-    (0..balls.count()).map(at).collect()
-}
-
 impl Derived {
+    /// The time, s, at which places are asked for.
+    pub(super) fn until(&self) -> Option<f64> {
+        match self.task {
+            Task::Places(until) => Some(until),
+            _ => None,
+        }
+    }
+
+    /// Derivatives of the place at which a ball left play.
+    pub(super) fn fallen(&self, ball: usize) -> Option<[[f64; LANES]; 2]> {
+        self.fallen[ball]
+    }
+
+    /// What was found. `same`: events that are those of the trace; `places`: derivatives of where balls are in the end, length.
+    pub(super) fn into_found(self, same: usize, places: Vec<[[f64; LANES]; 2]>) -> Found {
+        Found {
+            task: self.task,
+            same,
+            places,
+            lost: self.lost,
+        }
+    }
+
+    /// Nothing seen yet of so many balls.
+    pub(super) fn new(seeds: Seeds, task: Task, balls: usize) -> Self {
+        Derived {
+            seeds,
+            task,
+            seen: 0,
+            versions: vec![0; balls],
+            fallen: vec![None; balls],
+            lost: vec![[None; LANES]; balls],
+            turned: vec![f64::NEG_INFINITY; balls],
+        }
+    }
+
     /// The world of a run that takes over.
     pub fn of_world<T: Real>(&self, scene: &Scene, world: World<T>) -> World<T> {
         self.seeds.of_world(scene, world)
@@ -388,7 +338,7 @@ impl Derived {
     }
 
     /// Adds the errors of the start.
-    fn disturb_all<T: Real>(&mut self, balls: &mut Kinematics<'_, T>) {
+    pub(super) fn disturb_all<T: Real>(&mut self, balls: &mut Kinematics<'_, T>) {
         let all: Vec<usize> = (0..balls.count()).collect();
         self.disturb(balls, &all);
     }

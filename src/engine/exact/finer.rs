@@ -3,23 +3,22 @@
 //! Two balls that the cloth presses together, one that knocks at a third meanwhile, a chain of them: the gaps between impacts sink below the rounding of a
 //! coordinate long before their limit. No limit is looked for, which for several encounters together would be hard. The run goes on in the next scalar with
 //! more digits, with all balls, by the same laws and into the same trace, until nothing slow happens any more. There an approach that is nothing to
-//! the first scalar is taken out, with what all the impacts would do that are left (`contact::limit`), and the contacts say what follows. What that leaves out
-//! is of second order in the approach for two parties; where more touch it is some hundredths of it. Where nested limits take very many impacts more and more is
-//! nothing, up to what rounding of the first scalar makes of an approach.
+//! the first scalar is taken out by impulses to which every ball answers as it rolls, slides or rests, and the contacts say what follows. That leaves an
+//! error in proportion to the approach, some tenth of it, and no energy is gained. Where nested limits take very many impacts more and more is nothing, up to
+//! what rounding of the first scalar makes of an approach.
 
 use super::agenda::{Agenda, Due, Partners};
 use super::collapse::Streaks;
 use super::contact::decide::{member_but_for, resettle};
 use super::contact::group::{Group, Member, Touch, Twist};
 use super::contact::held::Held;
-use super::contact::limit::{Approaches, take_out};
 use super::contact::touching::{Steady, close_gaps, keep_contacts, touching};
 use super::encounter::Encounter;
 use super::kinematics::Kinematics;
 use super::queue::What;
 use super::solve::Loop;
 use super::spin::Moving;
-use super::sustained::stretch;
+use super::stretch::stretch;
 use super::world::{Coarser, NONE, SHRINKS, World};
 use crate::engine::Limits;
 use crate::math::Real;
@@ -102,15 +101,7 @@ impl<T: Real> Loop<'_, T> {
         for m in &mut gathered.members {
             *m = member_but_for(world, m.ball, m.moving, still);
         }
-        let closing = -self.balls.rate(encounter);
-        // where more is nothing the energy of what is given back would show
-        let is_least = self.slow <= world.none;
-        let shrinks = self
-            .approaches
-            .ratio(encounter, closing)
-            .filter(|_| is_least);
-        close_gaps(world, &mut gathered.members, &gathered.touches);
-        take_out(world, &mut gathered.members, &gathered.touches, shrinks);
+        keep_contacts(world, &mut gathered.members, &gathered.touches);
         if T::DIFFERENTIATES {
             self.note_taken(&before, &gathered.touches);
         }
@@ -153,7 +144,6 @@ impl<T: Real> Loop<'_, T> {
             is_open: false,
             is_fine: true,
             blurred: false,
-            approaches: Approaches::new(),
             derived,
             balls,
             journal: self.journal.handed_over(),
@@ -285,16 +275,12 @@ impl<T: Real> Loop<'_, T> {
                     if !self.continues(what) {
                         since = time;
                     }
-                    let met = encounter_of(what).map(|e| (e, -self.balls.rate(e)));
                     let ending = self.happen(what);
                     if T::DIFFERENTIATES {
                         self.note();
                     }
                     if ending.is_some() {
                         return (events, ending);
-                    }
-                    if let Some((encounter, closing)) = met {
-                        self.approaches.note(encounter, closing);
                     }
                     if events % PATIENCE == 0 {
                         self.slow = (self.slow * T::lift(10.0)).at_most(most);

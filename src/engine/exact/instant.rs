@@ -16,7 +16,7 @@ use super::reflections::{Approaching, Constraint, groups};
 use super::rubbing::{Push, Rubbed, rub};
 use super::simultaneous::{Cluster, Touch};
 use crate::math::Real;
-use crate::physics::{Cushion, Friction, friction};
+use crate::physics::{Contact, Cushion, Friction, friction};
 
 /// Rounds, and turns of different laws, before the answer is that they never end.
 const MOST_ROUNDS: u32 = 10_000;
@@ -84,8 +84,17 @@ impl<T: Real> Cluster<'_, T> {
     /// Restitution of a contact; 1 for laws that have no such number.
     fn restitution(&self, contact: usize) -> T {
         match self.touches[contact] {
-            Touch::Pair(..) => self.world.restitution(),
-            Touch::Cushion(..) => self.world.restitution_of_cushions().unwrap_or(T::one()),
+            Touch::Pair(..) => match self.world.contact {
+                Some(Contact::Inelastic { e }) => e,
+                None | Some(Contact::Elastic {}) => T::one() + self.world.restitution[0],
+            },
+            Touch::Cushion(..) => match self.world.cushion {
+                Some(Cushion::Restitution { e }) => e,
+                None
+                | Some(
+                    Cushion::Elastic {} | Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. },
+                ) => T::one() + self.world.restitution[1],
+            },
         }
     }
 

@@ -1,6 +1,7 @@
 //! What a run depends on: its growth, and the derivative of where every ball ends by each input.
 
-use super::derived::{Found, LANES, PARTS, Seeds, Task, follow, holds_balls};
+use super::derived::{Found, LANES, PARTS, Seeds, Task, holds_balls};
+use super::rerun::follow;
 use super::spin::Moving;
 use super::tangent::{Replay, Rough, Script};
 use crate::engine::Limits;

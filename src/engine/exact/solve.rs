@@ -13,7 +13,6 @@ use super::ambiguity::{self, Standing};
 use super::cluster_impact::ClusterImpact;
 use super::collapse::Streaks;
 use super::contact::domain::{is_followed, starts_pressed};
-use super::contact::limit::Approaches;
 use super::derived::Derived;
 use super::encounter::Encounter;
 use super::impact::{Impact, ImpactSide};
@@ -120,7 +119,6 @@ impl<'a, T: Real> Solver<'a, T> {
             // asked where the first slow impact is
             is_open: contacts == AtContacts::Auto,
             is_fine: false,
-            approaches: Approaches::new(),
             blurred: false,
             derived,
             balls,
@@ -197,8 +195,6 @@ pub(super) struct Loop<'a, T: Real> {
     pub(super) is_fine: bool,
     /// Whether this scalar no longer tells what happens now.
     pub(super) blurred: bool,
-    /// How fast parties approached last, of a run that has taken over.
-    pub(super) approaches: Approaches<T>,
     /// What goes along with a run in dual numbers.
     pub(super) derived: Option<Box<Derived>>,
     pub(super) journal: Journal<T>,

@@ -1,41 +1,24 @@
 //! The event loop's part in contacts that last: accumulations, stretches of common motion, and impacts into what is held.
 
 use super::cluster_impact::ClusterImpact;
-use super::contact::arc::Arc;
 use super::contact::decide::{Undetermined, decide, member, member_as_is, tidy};
-use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist, loudest};
+use super::contact::group::{Change, Hold, Member, Mode, Touch, Twist, loudest};
 use super::contact::held::Held;
 use super::contact::touching::{
     Gathered, Steady, Touched, calm, components, keep_contacts, rate, slowest, touching,
 };
 use super::encounter::Encounter;
-use super::kinematics::Kinematics;
 use super::predict::Row;
 use super::simultaneous::{self, Cluster};
 use super::solve::Loop;
 use super::spin::Moving;
+use super::stretch::stretch;
 use crate::math::Real;
 use crate::trace::Ending;
 use nalgebra::Vector3;
 
-/// A stretch may be this many times what is left of the run.
-const PAST_THE_END: f64 = 1.0 + 1e-6;
-
 /// Stretches in which next to no time passes after which a group does not get on.
 const STUCK: u32 = 64;
-
-/// The next stretch of a group that begins now.
-pub fn stretch<T: Real>(balls: &Kinematics<'_, T>, group: &Group<T>) -> Arc<T> {
-    let world = balls.world();
-    // a stretch that reaches the end of the run ends after it, which is no event
-    let most = (world.duration - balls.now()) * T::lift(PAST_THE_END);
-    let tick = balls.now() * T::lift(T::ULP);
-    let mut arc = Arc::of(world, group, most, tick);
-    if T::DIFFERENTIATES {
-        arc.tell_slopes(world, group);
-    }
-    arc
-}
 
 /// Stretches without a change between them, at most: one that turns towards its end takes a few for each bit of the scalar.
 const MOST_STRETCHES: u32 = 20_000;

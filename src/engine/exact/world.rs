@@ -236,23 +236,6 @@ impl<T: Real> World<T> {
         (self.noise() * T::lift(NOISE)).at_most(self.fastest * T::lift(SHRINKS))
     }
 
-    /// Restitution of balls that meet; 1 for laws that have no such number.
-    pub fn restitution(&self) -> T {
-        match self.contact {
-            Some(Contact::Inelastic { e }) => e,
-            None | Some(Contact::Elastic {}) => T::one() + self.restitution[0],
-        }
-    }
-
-    /// Restitution of cushions; `None` for laws that have no such number.
-    pub fn restitution_of_cushions(&self) -> Option<T> {
-        match self.cushion {
-            Some(Cushion::Restitution { e }) => Some(e),
-            Some(Cushion::Elastic {}) => Some(T::one() + self.restitution[1]),
-            None | Some(Cushion::Han2005 { .. } | Cushion::Mathavan2010 { .. }) => None,
-        }
-    }
-
     /// Whether the cloth may press balls together.
     pub fn presses(&self) -> bool {
         match (&self.rotation, self.ground) {

@@ -25,7 +25,7 @@ const OURS: [(&str, &[&str]); 2] = [
 const STEPS: [&str; 4] = ["dt=0.1", "dt=0.0166", "dt=0.01", "dt=1e-4"];
 
 /// Scenes in which the exact engine stops because there is no answer, with the ending that says why.
-const WITHOUT_END: [(&str, &str); 11] = [
+const WITHOUT_END: [(&str, &str); 12] = [
     ("report-break-central", "indeterminate"),
     ("report-break-frozen", "indeterminate"),
     ("report-break-frozen-ensemble", "indeterminate"),
@@ -35,6 +35,7 @@ const WITHOUT_END: [(&str, &str); 11] = [
     ("rack-frozen-oblique", "indeterminate"),
     ("cradle-nearly-elastic", "indeterminate"),
     ("collapse-chain", "indeterminate"),
+    ("two-at-once-lossy", "indeterminate"),
     ("thin-cut-1e-15", "undecidable"),
     ("near-miss-1e-15", "undecidable"),
 ];

@@ -229,7 +229,6 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         moving,
         free,
         loose,
-        ..
     } = group.system(world);
     let all = 0..group.holds.len();
     let rests = |k: &usize| group.rests(group.holds[*k].touch);

@@ -111,26 +111,10 @@ impl<T: Real> Group<T> {
             let node = writer.free_opening(&contacts[k], self.holds[k].touch);
             writer.tape.value(node)
         });
-        let free = free.collect();
-        let value = |node: Node| writer.tape.value(node);
-        let of = |contact: &Contact| {
-            let responses = contact.responses.iter();
-            let kick = |(member, _, response): &(usize, f64, Response)| Kick {
-                member: *member,
-                velocity: response.acceleration.map(value),
-                spin: response.turning.map(value),
-                slip: [0, 1].map(|k| {
-                    let [push, rolling] = [response.push, response.rolling].map(|x| value(x[k]));
-                    push * T::lift(3.5) - rolling * T::lift(2.5)
-                }),
-            };
-            responses.map(kick).collect()
-        };
         System {
             moving,
-            free,
+            free: free.collect(),
             loose,
-            kicks: contacts.iter().map(of).collect(),
         }
     }
 
@@ -153,21 +137,6 @@ pub struct System<T> {
     pub free: Vec<T>,
     /// What each force would do if nobody rested.
     pub loose: Vec<Vec<T>>,
-    /// What each contact does to its members.
-    pub kicks: Vec<Vec<Kick<T>>>,
-}
-
-/// What one unit of a contact's impulse does to one member.
-#[derive(Clone, Copy, Debug)]
-pub struct Kick<T> {
-    /// The member.
-    pub member: usize,
-    /// To its velocity, as it answers to a steady force: what rolls goes on rolling.
-    pub velocity: [T; 2],
-    /// To its spin.
-    pub spin: [T; 3],
-    /// To its slip over the cloth at first.
-    pub slip: [T; 2],
 }
 
 impl<'a, T: Real> Writer<'a, T> {

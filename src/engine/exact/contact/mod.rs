@@ -17,7 +17,6 @@ pub mod domain;
 mod equations;
 pub mod group;
 pub mod held;
-pub mod limit;
 pub mod meet;
 mod row;
 pub mod touching;

@@ -21,7 +21,7 @@ const ROUNDS: usize = 200;
 const NEWTON: usize = 8;
 
 /// Contacts whose system has a pivot of no more than this part of its largest entry depend on each other.
-pub const SINGULAR: f64 = 1e-9;
+const SINGULAR: f64 = 1e-9;
 
 /// What is left of a gap or an approach is none at this part of the rounding of the farthest or the fastest ball.
 const ULPS: f64 = 0.125;

@@ -4,7 +4,7 @@ use super::super::world::World;
 use super::*;
 use crate::math::random::Draws;
 use crate::math::{DoubleDouble, Octuple};
-use crate::physics::{Body, Cloth, Contact, Motion, Side, contact};
+use crate::physics::{Body, Cloth, Motion, Side, contact};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
