@@ -185,7 +185,9 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         let sizes = self.partials.iter().chain(&other.partials);
         let most = sizes.fold(0.0_f64, |most, partial| most.max(partial.abs()));
         for (own, other) in self.partials.iter_mut().zip(other.partials) {
-            if (*own - other).abs() > COMMON * most {
+            // false where one of them is no number
+            let same = (*own - other).abs() <= COMMON * most;
+            if !same {
                 *own = f64::NAN;
             }
         }
@@ -243,6 +245,23 @@ mod tests {
         z *= y;
         z += (x * x + y * y).sqrt() - (-x).abs();
         z / (x + T::lift(2.0))
+    }
+
+    #[test]
+    fn what_two_numbers_have_in_common_is_none_where_either_has_none() {
+        let with = |partials: [f64; 3]| Dual::<f64, 3> {
+            value: 1.0,
+            partials,
+        };
+        let known = with([1.0, 2.0, 3.0]);
+        for (one, other) in [
+            (known, with([1.0, 2.5, f64::NAN])),
+            (with([1.0, 2.5, f64::NAN]), known),
+        ] {
+            let common = one.common(other).partials;
+            assert_eq!(common[0], 1.0);
+            assert!(common[1].is_nan() && common[2].is_nan(), "{common:?}");
+        }
     }
 
     #[test]

@@ -161,7 +161,11 @@ fn sentence(scene: &Scene, horizon: &Horizon) -> String {
         };
         match describe_rough(growth, &horizon.trace) {
             None => grows(),
-            Some(rough) if growth.lost.is_empty() => format!(" Its growth is {rough}."),
+            Some(rough)
+                if growth.lost.is_empty() || growth.lost.len() == horizon.trace.balls.len() =>
+            {
+                format!(" Its growth is {rough}.")
+            }
             Some(rough) => format!("{} Its growth is {rough}.", grows()),
         }
     });

@@ -79,9 +79,9 @@ impl Seeds {
     pub(super) fn kinematics<'a, T: Real>(&self, scene: &'a Scene) -> Kinematics<'a, T> {
         let world = self.of_world(scene, World::<T>::new(scene));
         let (mut flights, mut spins) = (Vec::new(), Vec::new());
-        for (ball, known) in scene.balls.iter().enumerate() {
+        for ball in 0..scene.balls.len() {
             let radius = world.radius[ball];
-            let mut moving = Moving::lifted(&known.state);
+            let mut moving = Moving::lifted(&scene.start(ball));
             if let Some(rotation) = &world.rotation {
                 moving = rotation.as_meant(radius, moving);
             }
@@ -167,6 +167,8 @@ pub enum Why {
     Together,
     /// It met a ball that had none.
     Met,
+    /// Its derivatives within a stretch of contact are not told to the end.
+    Untold,
 }
 
 /// What goes along with a run in dual numbers.
@@ -248,7 +250,14 @@ impl Derived {
     }
 
     /// What was found. `same`: events that are those of the trace; `places`: derivatives of where balls are in the end, length.
-    pub(super) fn into_found(self, same: usize, places: Vec<[[f64; LANES]; 2]>) -> Found {
+    pub(super) fn into_found(mut self, same: usize, places: Vec<[[f64; LANES]; 2]>) -> Found {
+        for (place, lost) in places.iter().zip(&mut self.lost) {
+            for (lane, lost) in lost.iter_mut().enumerate() {
+                if lost.is_none() && place.iter().any(|axis| !axis[lane].is_finite()) {
+                    *lost = Some((same, Why::Untold));
+                }
+            }
+        }
         Found {
             task: self.task,
             same,

@@ -161,7 +161,7 @@ impl<'a, T: Real> Kinematics<'a, T> {
         }
     }
 
-    /// The same of a group.
+    /// The group of a ball, to be given other derivatives; its values stay as they are.
     pub fn derive_held(&mut self, ball: usize) -> Option<&mut Held<T>> {
         self.contacts.of_mut(ball)
     }

@@ -9,12 +9,12 @@
 //!   something else is in reach, and whether the order of impacts at one instant matters; `cluster_impact`: what becomes of such an instant
 //!   where the scene names a convention, by `instant` (losses), `reflections` (normal impulses) and `rubbing` (friction); `collapse`: when
 //!   impacts without time passing are too many to be finite.
-//! - `contact`, where a run follows them: balls that stay in contact; `sustained` is the loop's part in them. `finer`: impacts that shrink to such a
+//! - `contact`, where a run follows them: balls that stay in contact; `sustained` is the loop's part in them, `stretch` the next piece of their motion. `finer`: impacts that shrink to such a
 //!   contact, in the next scalar with more digits. `encounter`: who meets whom.
 //! - `solve`: the event loop, which applies what they decide; `journal`: what is written down of it; `range`: what cannot begin.
-//! - `tangent`: the events of a trace again, with derivatives; `derived`: the same by the solver itself in dual numbers, where balls stay in contact; from it `certainty` (margin, condition, error of each event),
-//!   `sensitivity` (growth, and what moves the balls); `auto` goes to more digits by it. Up to where a run can be believed is the
-//!   oracle's to say.
+//! - `tangent`: the events of a trace again, with derivatives; `derived`, which `rerun` runs: the same by the solver itself in dual numbers, where balls
+//!   stay in contact; from it `certainty` (margin, condition, error of each event), `sensitivity` (growth, and what moves the balls); `auto`
+//!   goes to more digits by it. Up to where a run can be believed is the oracle's to say.
 //!
 //! A ball's prediction is kept with the ball; an event of a pair is known to at least one of the two, and a prediction whose
 //! partner has changed since is made anew when its time comes. So an event costs two rows of predictions, whatever else is on

@@ -18,11 +18,11 @@ pub fn follow(
     limits: &Limits<'_>,
 ) -> Option<Found> {
     if ulp <= Octuple::ULP {
-        Some(run::<Octuple>(scene, trace, seeds, task, limits))
+        run::<Octuple>(scene, trace, seeds, task, limits)
     } else if ulp <= DoubleDouble::ULP {
-        Some(run::<DoubleDouble>(scene, trace, seeds, task, limits))
+        run::<DoubleDouble>(scene, trace, seeds, task, limits)
     } else if ulp <= f64::EPSILON {
-        Some(run::<f64>(scene, trace, seeds, task, limits))
+        run::<f64>(scene, trace, seeds, task, limits)
     } else {
         None
     }
@@ -34,7 +34,7 @@ fn run<T: Real>(
     seeds: Seeds,
     task: Task,
     limits: &Limits<'_>,
-) -> Found {
+) -> Option<Found> {
     let mut balls = seeds.kinematics::<Dual<T, LANES>>(scene);
     let mut derived = Derived::new(seeds, task, balls.count());
     derived.disturb_all(&mut balls);
@@ -52,15 +52,7 @@ fn run<T: Real>(
     let events = played.trace().events;
     let both = events.iter().zip(&trace.events);
     let same = both.take_while(|(ours, theirs)| ours == theirs).count();
-    match derived {
-        Some(derived) => derived.into_found(same, places),
-        None => Found {
-            task: Task::Places(until),
-            same: 0,
-            places,
-            lost: Vec::new(),
-        },
-    }
+    derived.map(|derived| derived.into_found(same, places))
 }
 
 /// Derivatives of where all balls are at a time that has none, s.

@@ -147,6 +147,8 @@ fn growth_through_contacts(
             }
             let maps: Vec<&[f64]> = batches.iter().filter_map(|b| b.map(event - from)).collect();
             if maps.len() < batches.len() {
+                growth.rough = Some(event);
+                growth.differs = true;
                 break;
             }
             let goes_on = |ball: &usize| {
@@ -192,6 +194,10 @@ fn largest_stretch(maps: &[&[f64]], balls: &[usize], columns: usize, unit: [f64;
         maps[column / LANES][place] / unit[part]
     };
     let map = DMatrix::from_fn(PARTS * balls.len(), columns, entry);
+    // which would never end
+    if map.iter().any(|x| !x.is_finite()) {
+        return f64::NAN;
+    }
     map.singular_values().max()
 }
 

@@ -121,6 +121,7 @@ pub fn describe_lost(lost: &[Lost], trace: &Trace) -> String {
         let why = match lost.why {
             Why::Together => "there two things come at one instant that a small change sets apart",
             Why::Met => "it met one without",
+            Why::Untold => "it cannot be told within a contact",
         };
         let (ball, event) = (&trace.balls[lost.ball], lost.event + 1);
         format!("ball {ball} from event {event} on ({why})")
@@ -131,15 +132,22 @@ pub fn describe_lost(lost: &[Lost], trace: &Trace) -> String {
 /// Up to where the growth of a run is known, in one sentence; `None` if all along and of all balls.
 pub fn describe_rough(growth: &Growth, trace: &Trace) -> Option<String> {
     let event = growth.rough?;
-    Some(if growth.differs {
+    Some(if growth.lost.len() == trace.balls.len() {
+        format!(
+            "known up to event {event} only: {}",
+            describe_lost(&growth.lost, trace)
+        )
+    } else if growth.differs {
         format!("known up to event {event} only: then the run with derivatives goes another way")
     } else if growth.lost.is_empty() {
         format!(
             "known up to event {event} only: then a convention resolved several contacts at once"
         )
     } else {
-        let others = "that of the others from there on";
-        format!("{others}: {}", describe_lost(&growth.lost, trace))
+        format!(
+            "that of the other balls from event {event} on: {}",
+            describe_lost(&growth.lost, trace)
+        )
     })
 }
 

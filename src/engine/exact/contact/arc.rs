@@ -29,9 +29,10 @@ const BEYOND: f64 = 16.0;
 /// What a derivative leaves out within a piece of a stretch, in parts of its size.
 const SLOPES: f64 = 1e-12;
 
-/// Pieces in which the derivatives of a stretch are told, at most, and this near to its end no more: a slip that ends there turns by what is left of
-/// it, and its logarithm.
+/// Pieces in which the derivatives of a stretch are told, at most.
 const MOST_PIECES: usize = 200;
+
+/// In this last part of a stretch they are told no more: a slip that ends there turns by what is left of it, and its logarithm, some 1e-7.
 const NEAR_THE_END: f64 = 1e-8;
 
 /// Units of time that are tried, each this part of the one before.

@@ -158,7 +158,7 @@ impl<T: Real> Loop<'_, T> {
         }
     }
 
-    /// The same of an instant that a convention resolves.
+    /// Balls of an instant that a convention resolves have no derivative by an input that opens one of its contacts.
     pub(in crate::engine::exact) fn note_cluster(&self, cluster: &mut ClusterImpact<T>) {
         let sides = &cluster.sides;
         let rows = cluster.rows.iter().map(|row| {
