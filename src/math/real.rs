@@ -65,7 +65,7 @@ pub trait Real:
         self
     }
 
-    /// This number, whose derivatives are those of another as well: none (NaN) where the two differ by more than [`COMMON`] of the largest.
+    /// This number, whose derivatives are those of another as well: none (NaN) where the two differ by more than a millionth of the largest.
     fn common(self, _other: Self) -> Self {
         self
     }
