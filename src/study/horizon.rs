@@ -39,9 +39,12 @@ pub fn study(
     };
     let found: Option<Result<_, Refusal>> = limits.whole(|| {
         let found = horizon(scene, precision, true, &limits).ok_or_else(refused)?;
-        Ok((influences(scene, &found.trace, found.until, &limits), found))
+        let ulp = found.precision.ulp();
+        let errors = oracle::place_errors(scene, &found.trace, ulp, &limits);
+        let influences = influences(scene, &found.trace, found.until, &limits);
+        Ok((influences, errors, found))
     });
-    let Some((influences, found)) = found.transpose()? else {
+    let Some((influences, errors, found)) = found.transpose()? else {
         let what = "how far the scene can be predicted was not found";
         return Ok(Document {
             stopped_early: Some(format!("This was stopped early: {what}.")),
@@ -52,11 +55,11 @@ pub fn study(
             )
         });
     };
-    Ok(page(scene, &found, &influences))
+    Ok(page(scene, &found, &influences, &errors))
 }
 
 /// The page of a horizon.
-fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> Document {
+fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence], errors: &[f64]) -> Document {
     let mut blocks = vec![
         Block::Text(describe_scene(scene)),
         Block::Text(format!(
@@ -75,7 +78,7 @@ fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence]) -> Document 
     ];
     blocks.extend(figures.into_iter().flatten().map(Block::Figure));
     blocks.extend(without_derivative(horizon, influences).map(Block::Text));
-    blocks.extend(ends(scene, horizon).map(Block::Text));
+    blocks.extend(ends(scene, errors).map(Block::Text));
     if let Some(sentence) = matters_most(scene, horizon, influences) {
         blocks.push(Block::Text(sentence));
         blocks.push(Block::Table(influence_table(scene, influences)));
@@ -116,13 +119,16 @@ fn without_derivative(horizon: &Horizon, influences: &[Influence]) -> Option<Str
 }
 
 /// How far balls may be off in the end, in one sentence, where they were in contact.
-fn ends(scene: &Scene, horizon: &Horizon) -> Option<String> {
-    let ulp = horizon.precision.ulp();
-    let errors = oracle::place_errors(scene, &horizon.trace, ulp, &Limits::NONE);
+fn ends(scene: &Scene, errors: &[f64]) -> Option<String> {
     let known = errors.iter().copied().filter(|error| !error.is_nan());
     let largest = known.reduce(f64::max)? / scene.smallest_radius();
+    let whose = if errors.iter().any(|error| error.is_nan()) {
+        "balls that have a derivative"
+    } else {
+        "balls"
+    };
     Some(format!(
-        "Through rounding, and what was left of approaches when contacts began, balls are off by no more than an estimated {largest:.1e} R in the end."
+        "Through rounding, and what was left of approaches when contacts began, {whose} are off by no more than an estimated {largest:.1e} R in the end."
     ))
 }
 

@@ -175,9 +175,7 @@ impl<T: Real> Impact<T, 1> {
             closing: one.velocity[edge.axis()].abs(),
         }
     }
-}
 
-impl<T: Real> Impact<T, 1> {
     /// What the law of an impact on a cushion may be off by, length/s.
     pub fn error_on_cushion(
         balls: &Kinematics<'_, T>,

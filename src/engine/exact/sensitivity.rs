@@ -335,8 +335,8 @@ impl Influence {
 
 /// The derivative of every position at time `until`, s, or at the end of the run if that is earlier, by each input that the scene has.
 ///
-/// Empty if an event before then has no derivative, unless balls stay in contact in the run (then the balls that it leaves without one say so), or the run ended before without coming to an end that the scene asks for; and where
-/// the user asked to stop.
+/// Empty if an event before then has no derivative, unless balls stay in contact in the run (then the balls that it leaves without one say so), or the run
+/// ended before without coming to an end that the scene asks for; and where the user asked to stop.
 pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>) -> Vec<Influence> {
     if !trace.ending.is_complete() && until > trace.end_time {
         return Vec::new();
@@ -378,20 +378,25 @@ pub fn influences(scene: &Scene, trace: &Trace, until: f64, limits: &Limits<'_>)
         }
     }
     let ends = replay.states_at(trace.end_time.min(until));
+    let places = ends.iter();
+    let places: Vec<_> = places.map(|m| m.position.map(|x| x.partials)).collect();
+    by_lane(&inputs, &places, |_| Vec::new())
+}
+
+/// What each input does, by the lane of its place. `places`: derivatives of where each ball ends, length.
+fn by_lane(
+    inputs: &[Input],
+    places: &[[[f64; LANES]; 2]],
+    lost: impl Fn(usize) -> Vec<Lost>,
+) -> Vec<Influence> {
+    let of = |lane: usize| places.iter().map(|p| p.map(|x| x[lane])).collect();
     let influence = |(lane, input): (usize, &Input)| Influence {
         input: *input,
-        derivative: ends
-            .iter()
-            .map(|moving| moving.position.map(|x| x.partials[lane]))
-            .collect(),
-        lost: Vec::new(),
+        derivative: of(lane),
+        lost: lost(lane),
     };
-    inputs
-        .iter()
-        .take(LANES)
-        .enumerate()
-        .map(influence)
-        .collect()
+    let lanes = inputs.iter().take(LANES).enumerate();
+    lanes.map(influence).collect()
 }
 
 /// The same for a trace in which balls stay in contact: those that have no derivative say so, and the others have theirs.
@@ -446,21 +451,7 @@ fn influences_through_contacts(
     let Some(found) = found.filter(|found| found.same >= due && !limits.is_cancelled()) else {
         return Vec::new();
     };
-    let influence = |(lane, input): (usize, &Input)| Influence {
-        input: *input,
-        derivative: found
-            .places
-            .iter()
-            .map(|place| place.map(|x| x[lane]))
-            .collect(),
-        lost: found.lost(lane),
-    };
-    inputs
-        .iter()
-        .take(LANES)
-        .enumerate()
-        .map(influence)
-        .collect()
+    by_lane(inputs, &found.places, |lane| found.lost(lane))
 }
 
 /// The inputs that a scene has: a cue ball that moves, numbers of its effects, and the impacts that it calls for.

@@ -1,6 +1,6 @@
 //! Derivatives through accumulations and contact phases, against differences of runs in 106 bits.
 
-use super::{number, off, run_of, runs};
+use super::{number, off, runs};
 use crate::references::text;
 use carom::engine::Limits;
 use carom::engine::exact::sensitivity::{Input, Why, growth, influences};
@@ -43,19 +43,8 @@ fn changed(scene: &Scene, input: Input, by: f64) -> Option<Scene> {
 #[test]
 fn derivatives_of_final_positions_go_through_contacts() {
     let mut compared = 0;
-    for name in [
-        "a1-rack-2ms-seed11",
-        "a2-rack-4ms-seed13",
-        "a3-three-e1",
-        "a4-four-e08-friction",
-        "b1-plastic-inline",
-        "b2-soft-follow-friction",
-        "b3-offline-release",
-        "b4-cushion",
-        "b7-b35",
-        "b8-three-inline",
-    ] {
-        let (case, solution) = run_of(name);
+    for (case, solution) in runs() {
+        let name = case.name;
         let scene = &case.scene;
         let found = influences(scene, &solution.trace, f64::INFINITY, &Limits::NONE);
         assert!(!found.is_empty(), "{name}: nothing");

@@ -18,7 +18,7 @@ fn slip(state: &State) -> f64 {
 }
 
 /// Value at `t` of the polynomial through `points`.
-fn through(points: &[(f64, f64)], t: f64) -> f64 {
+pub fn through(points: &[(f64, f64)], t: f64) -> f64 {
     let term = |i: usize| {
         let (ti, value) = points[i];
         let others = (0..points.len()).filter(|j| *j != i);

@@ -2,7 +2,7 @@
 //! `validation/references/contact`: 60 digits by programs that share nothing with carom. The case c1 is held in
 //! `exact_simultaneous`.
 
-mod catalogue;
+pub mod catalogue;
 mod derivatives;
 mod energy;
 mod in_line;

@@ -204,7 +204,8 @@ fn every_hard_scene_has_an_answer_that_is_checked_or_a_reason_why_there_is_none(
     let answered = answers::scenes();
     for scene in hard() {
         let without = WITHOUT_END.iter().any(|(name, _)| *name == scene.name);
-        let elsewhere = symmetry::ANSWERED_ELSEWHERE.contains(&scene.name.as_str());
+        let elsewhere = symmetry::ANSWERED_ELSEWHERE.contains(&scene.name.as_str())
+            || crate::contact::catalogue::is_answered(&scene.name);
         let ways = [answered.contains(scene.name.as_str()), without, elsewhere];
         assert!(ways.contains(&true), "{} is held to nothing", scene.name);
     }

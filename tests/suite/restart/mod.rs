@@ -6,6 +6,7 @@ mod engines;
 mod exact;
 mod rule;
 
+use crate::contact::catalogue;
 use crate::references::text;
 use carom::engine::{self, Limits, Refusal, Setting};
 use carom::physics::Cloth;
@@ -13,19 +14,15 @@ use carom::scene::{Scene, parse};
 use carom::trace::{Record, Trace};
 
 /// The cases of `validation/references/contact`.
-const CASES: [&str; 11] = [
-    "a1-rack-2ms-seed11",
-    "a2-rack-4ms-seed13",
-    "a3-three-e1",
-    "a4-four-e08-friction",
-    "b1-plastic-inline",
-    "b2-soft-follow-friction",
-    "b3-offline-release",
-    "b4-cushion",
-    "b7-b35",
-    "b8-three-inline",
-    "c1-one-on-two",
-];
+const CASES: [&str; 11] = {
+    let mut names = [""; 11];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = catalogue::CASES[i].1;
+        i += 1;
+    }
+    names
+};
 
 fn case(name: &str) -> Scene {
     let toml = format!("{name}.toml");

@@ -180,7 +180,7 @@ impl<T: Real> Arc<T> {
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
         let (mut length, mut changes) = first_change(&watched, length);
-        let first = changes.clone();
+        let falls = !changes.is_empty();
         // what the cloth ends within a tick is over, too
         let none = world.over(loudest).at_least(world.strongest() * tick);
         for change in over(&watched, length, none) {
@@ -188,8 +188,8 @@ impl<T: Real> Arc<T> {
                 changes.push(change);
             }
         }
-        if T::DIFFERENTIATES && !first.is_empty() {
-            length = length.following(moves(&watched, [&first, &changes], length, world.estimates));
+        if T::DIFFERENTIATES && falls {
+            length = length.following(moves(&watched, &changes, length, world.estimates));
         }
         let series = group.members.iter().enumerate().map(|(i, member)| {
             let own = |nodes: &[Node]| -> Vec<Vec<T>> {
@@ -371,24 +371,18 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
     }
     let together = first * T::lift(1.0 + 1024.0 * T::ULP);
     let changes = changes.into_iter().filter(|(_, when)| *when <= together);
-    let changes: Vec<Change> = changes.map(|(change, _)| change).collect();
-    (first, changes)
+    (first, changes.map(|(change, _)| change).collect())
 }
 
 /// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first, unless `any` will do.
-fn moves<T: Real>(watched: &[(Change, &[T])], changes: [&[Change]; 2], first: T, any: bool) -> T {
+fn moves<T: Real>(watched: &[(Change, &[T])], changes: &[Change], first: T, any: bool) -> T {
     let first = first.detached();
-    let mut time: Option<T> = None;
-    for changes in changes {
-        for (_, series) in watched.iter().filter(|(c, _)| changes.contains(c)) {
-            let own = first - at(series, first) / slope_at(series, first);
-            time = Some(match time {
-                Some(time) if any => time,
-                Some(time) => time.common(own),
-                None => own,
-            });
-        }
-    }
+    let series = changes.iter().filter_map(|change| {
+        let own = watched.iter().find(|(watched, _)| watched == change)?;
+        Some(own.1)
+    });
+    let times = series.map(|series| first - at(series, first) / slope_at(series, first));
+    let time = times.reduce(|time, own| if any { time } else { time.common(own) });
     time.unwrap_or(first)
 }
 

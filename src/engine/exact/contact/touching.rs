@@ -263,6 +263,20 @@ impl<T: Real> Push<T> {
         }
     }
 
+    /// Moves the parties by so many units, in this part of how they move.
+    fn give_way(
+        &self,
+        members: &mut [Member<T>],
+        size: T,
+        part: impl Fn(&mut Moving<T>) -> &mut [T; 2],
+    ) {
+        for (m, way) in &self.parties {
+            for (k, way) in way.iter().enumerate() {
+                part(&mut members[*m].moving)[k] += *way * size;
+            }
+        }
+    }
+
     /// How much of what this contact is off by one unit of another's push takes out.
     fn takes_out(&self, other: &Push<T>) -> T {
         let mut sum = T::zero();
@@ -290,13 +304,8 @@ fn even_out<T: Real>(
         offs.iter()
             .fold(T::zero(), |most, off| most.at_least(off.abs()))
     };
-    let give_way = |members: &mut [Member<T>], push: &Push<T>, size: T| {
-        for (m, way) in &push.parties {
-            for (k, way) in way.iter().enumerate() {
-                part(&mut members[*m].moving)[k] += *way * size;
-            }
-        }
-    };
+    let give_way =
+        |members: &mut [Member<T>], push: &Push<T>, size: T| push.give_way(members, size, &part);
     for round in 0..ROUNDS {
         let offs: Vec<T> = touches.iter().map(|touch| off(members, *touch)).collect();
         let most = largest(&offs);
@@ -338,13 +347,8 @@ fn even_out_derivatives<T: Real>(
 ) {
     let pushes = touches.iter().map(|touch| Push::of(world, members, *touch));
     let pushes: Vec<Push<T>> = pushes.collect();
-    let give_way = |members: &mut [Member<T>], push: &Push<T>, size: T| {
-        for (m, way) in &push.parties {
-            for (k, way) in way.iter().enumerate() {
-                part(&mut members[*m].moving)[k] += *way * size;
-            }
-        }
-    };
+    let give_way =
+        |members: &mut [Member<T>], push: &Push<T>, size: T| push.give_way(members, size, &part);
     // only what has derivatives, of the value 0
     let slope = |members: &[Member<T>], touch: Touch| T::zero().following(off(members, touch));
     let row = |k: &Push<T>| pushes.iter().map(|l| k.takes_out(l)).collect();

@@ -4,6 +4,7 @@
 
 use super::laws::{Ball, Laws, Plane, Space, normal, rub};
 use super::method::ball;
+use crate::contact::energy::through;
 use carom::trace::{EventKind, Trace};
 
 /// Below this slip a ball rolls, in parts of its speed: some roundings of its spin.
@@ -115,18 +116,6 @@ impl Piece<'_> {
         };
         cloth(0) + cloth(1) + self.pressed(both, self.pressing(both)).1
     }
-}
-
-/// Value at `t` of the polynomial through points.
-fn through(points: &[(f64, f64)], t: f64) -> f64 {
-    let term = |i: usize| {
-        let (ti, value) = points[i];
-        let others = (0..points.len()).filter(|j| *j != i);
-        others.fold(value, |product, j| {
-            product * (t - points[j].0) / (ti - points[j].0)
-        })
-    };
-    (0..points.len()).map(term).sum()
 }
 
 /// What is taken in one piece.
