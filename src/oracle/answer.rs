@@ -87,7 +87,7 @@ impl Oracle {
 
 /// Number of events about which two precisions agree, and the time of the next, s, whatever their margins.
 fn by_agreement(found: &Horizon) -> (usize, f64) {
-    let differs = |sight: &Sight| !sight.apart.is_some_and(|apart| apart < BAND);
+    let differs = |sight: &Sight| !sight.shrinks && !sight.apart.is_some_and(|apart| apart < BAND);
     let first = found.sights.iter().position(differs);
     let time = |index: usize| found.sights[index].event.time;
     (

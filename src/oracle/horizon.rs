@@ -3,14 +3,18 @@
 //! It is the last event up to which three things hold: both precisions have the same events in the same order, ball by ball; they
 //! differ by less than [`BAND`]; and the margin of each event exceeds the error of its time, estimated and seen. Beyond
 //! it the order of events, and with it everything else, is decided by rounding.
+//!
+//! Impacts that shrink to a contact are of no account among themselves: a scalar with more digits has more of them, and their margins fall below every
+//! error. Where both precisions reach the contact, with its balls at the same places and as fast, it is one event of which all this is asked.
 
+use super::places::Places;
 use crate::engine::Limits;
 use crate::engine::exact::sensitivity::{Growth, growth};
 use crate::engine::exact::{Precision, Solution, certify, solve};
 use crate::math::{DoubleDouble, Octuple, Real, worse};
+use crate::physics::State;
 use crate::scene::Scene;
 use crate::trace::{Ending, Event, EventKind, Trace};
-use std::collections::HashMap;
 
 pub use crate::engine::exact::MOST_BALLS;
 
@@ -44,8 +48,12 @@ pub struct Sight {
     pub estimated: Option<f64>,
     /// Difference of its time from the witness's, s; `None` where the witness does not have it in this place.
     pub seen: Option<f64>,
-    /// Largest difference of time, position and velocity of its balls, in the units of [`BAND`].
+    /// Largest difference of time, position and velocity of its balls, in the units of [`BAND`]; where a contact begins, of places and velocities
+    /// once it has in both.
     pub apart: Option<f64>,
+    /// Whether it is one of impacts that shrink to a contact which both precisions reach alike: which of them are told, and in which order, is then of no
+    /// account.
+    pub shrinks: bool,
 }
 
 /// How far a run can be believed.
@@ -125,12 +133,13 @@ fn held_against<T: Real, W: Real>(
     limits: &Limits<'_>,
 ) -> Horizon {
     let (run, witness) = (solve::<T>(scene, limits), solve::<W>(scene, limits));
-    let sights = sights(scene, &run, &witness, limits);
+    let (sights, all_told) = sights(scene, &run, &witness, limits);
     let failing = sights
         .iter()
         .enumerate()
         .find_map(|(index, sight)| Some((index, fault(sight)?)));
-    let (certain, limit) = failing.unwrap_or((sights.len(), at_the_end(scene, &run, &witness)));
+    let at_the_end = || at_the_end(scene, &run, &witness, all_told);
+    let (certain, limit) = failing.unwrap_or_else(|| (sights.len(), at_the_end()));
     let until = match limit {
         Limit::Whole => f64::INFINITY,
         _ => sights
@@ -151,6 +160,9 @@ fn held_against<T: Real, W: Real>(
 
 /// What is wrong with an event, if anything is.
 fn fault(sight: &Sight) -> Option<Limit> {
+    if sight.shrinks {
+        return None;
+    }
     let (Some(seen), Some(apart)) = (sight.seen, sight.apart) else {
         return Some(Limit::Order);
     };
@@ -163,10 +175,15 @@ fn fault(sight: &Sight) -> Option<Limit> {
     (!clear).then_some(Limit::Margin)
 }
 
-/// Whether the runs also end alike.
-fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solution<W>) -> Limit {
+/// Whether the runs also end alike. `all_told`: whether the witness has no further events.
+fn at_the_end<T: Real, W: Real>(
+    scene: &Scene,
+    run: &Solution<T>,
+    witness: &Solution<W>,
+    all_told: bool,
+) -> Limit {
     let (ours, theirs) = (&run.trace, &witness.trace);
-    if ours.events.len() != theirs.events.len() || ours.ending.id() != theirs.ending.id() {
+    if !all_told || ours.ending.id() != theirs.ending.id() {
         return Limit::Order;
     }
     let ends = run.positions.iter().zip(&witness.positions);
@@ -185,32 +202,46 @@ fn at_the_end<T: Real, W: Real>(scene: &Scene, run: &Solution<T>, witness: &Solu
     }
 }
 
+/// What both precisions make of every event, and whether the witness has no others.
 fn sights<T: Real, W: Real>(
     scene: &Scene,
     run: &Solution<T>,
     witness: &Solution<W>,
     limits: &Limits<'_>,
-) -> Vec<Sight> {
+) -> (Vec<Sight>, bool) {
     let certainty = certify(scene, &run.trace, T::ULP, limits);
-    let (ours, theirs) = (Places::new(&run.trace), Places::new(&witness.trace));
+    let mut places = Places::of(&run.trace, &witness.trace);
     let length = scene.smallest_radius();
     let speed = scene.largest_speed().max(f64::MIN_POSITIVE);
+    let mut begun = vec![f64::NAN; scene.balls.len()];
     let mut sights = Vec::with_capacity(run.trace.events.len());
     for (index, event) in run.trace.events.iter().enumerate() {
         let known = certainty.get(index).copied().unwrap_or_default();
-        let same = theirs.find(&ours, index);
+        let begins = matches!(event.kind, EventKind::ContactBegin(..));
+        if begins {
+            balls(event.kind).for_each(|ball| begun[ball] = event.time);
+        }
+        let same = places.find(index).or_else(|| {
+            let error = known.time_error.filter(|_| begins)?;
+            places.find_later(index, error)
+        });
         let seen = same.map(|other| {
             (run.times[index].widen::<W>() - witness.times[other])
                 .abs()
                 .to_f64()
         });
         let apart = same.zip(seen).map(|(other, seen)| {
-            let sides = sides(&run.trace, index, event).zip(sides(&witness.trace, other, event));
-            let worst = sides.map(|(a, b)| {
+            let far = |(a, b): (State, State)| {
                 let position = (a.position - b.position).norm() / length;
                 worse(position, (a.velocity - b.velocity).norm() / speed)
-            });
-            worst.fold(seen * speed / length, worse)
+            };
+            if balls(event.kind).any(|ball| begun[ball] == event.time) {
+                // the time at which a contact begins is no better than what is left of the approach, and so is that of what else happens then
+                let both = once_begun([&run.trace, &witness.trace], [index, other]);
+                return both.map(far).fold(0.0, worse);
+            }
+            let sides = sides(&run.trace, index, event).zip(sides(&witness.trace, other, event));
+            sides.map(far).fold(seen * speed / length, worse)
         });
         sights.push(Sight {
             event: *event,
@@ -219,18 +250,63 @@ fn sights<T: Real, W: Real>(
             estimated: known.time_error,
             seen,
             apart,
+            shrinks: false,
         });
     }
-    sights
+    let ends: Vec<usize> = (0..sights.len())
+        .filter(|index| matches!(sights[*index].event.kind, EventKind::ContactBegin(..)))
+        .collect();
+    for end in ends {
+        shrink(&mut sights, end);
+    }
+    let all_told = places.all_told();
+    (sights, all_told)
+}
+
+/// Impacts that shrink to a contact do so for no longer than this many of the times between them: they shrink by no less than a hundredth.
+const TAIL: f64 = 100.0;
+
+/// Marks the events that lead to a contact that begins with event `end`, and whose order no scalar of so many digits tells.
+fn shrink(sights: &mut [Sight], end: usize) {
+    if fault(&sights[end]).is_some() {
+        return;
+    }
+    let Sight { event, .. } = sights[end];
+    let mut balls: Vec<usize> = balls(event.kind).collect();
+    for sight in sights[..end].iter_mut().rev() {
+        let mut own = self::balls(sight.event.kind);
+        if fault(sight).is_none() || !own.any(|ball| balls.contains(&ball)) {
+            continue;
+        }
+        let error = worse(
+            sight.estimated.unwrap_or_default(),
+            sight.seen.unwrap_or_default(),
+        );
+        let unclear = worse(error, sight.margin.unwrap_or_default());
+        if event.time - sight.event.time <= TAIL * unclear {
+            sight.shrinks = true;
+            balls.extend(self::balls(sight.event.kind));
+        }
+    }
+}
+
+/// The balls of an event.
+fn balls(kind: EventKind) -> impl Iterator<Item = usize> {
+    let (a, b) = kind.balls();
+    [Some(a), b].into_iter().flatten()
+}
+
+/// How the balls of a contact move in two runs, once it has begun in both.
+fn once_begun(traces: [&Trace; 2], events: [usize; 2]) -> impl Iterator<Item = (State, State)> {
+    let times = [0, 1].map(|i| traces[i].events[events[i]].time);
+    let time = times[0].max(times[1]);
+    let balls = balls(traces[0].events[events[0]].kind);
+    let state = move |i: usize, ball: usize| traces[i].paths[ball].state_at(time);
+    balls.filter_map(move |ball| state(0, ball).zip(state(1, ball)))
 }
 
 /// States of an event's balls on its far side, in the order of its kind.
-fn sides(
-    trace: &Trace,
-    index: usize,
-    event: &Event,
-) -> impl Iterator<Item = crate::physics::State> {
-    let (a, b) = event.kind.balls();
+fn sides(trace: &Trace, index: usize, event: &Event) -> impl Iterator<Item = State> {
     let side = move |ball: usize| {
         let knots = &trace.paths[ball].knots;
         let first = knots.partition_point(|knot| knot.time < trace.events[index].time);
@@ -239,51 +315,7 @@ fn sides(
             .find(|knot| knot.after == Some(index as u32));
         far.map(|knot| knot.state)
     };
-    [Some(a), b]
-        .into_iter()
-        .flatten()
-        .filter_map(side)
-        .collect::<Vec<_>>()
-        .into_iter()
-}
-
-/// Where each event stands: which occurrence of its kind it is, and its place among the events of each of its balls.
-struct Places {
-    by_occurrence: HashMap<(EventKind, usize), usize>,
-    occurrence: Vec<(EventKind, usize)>,
-    place: Vec<(usize, Option<usize>)>,
-}
-
-impl Places {
-    fn new(trace: &Trace) -> Self {
-        let mut counts: HashMap<EventKind, usize> = HashMap::new();
-        let mut so_far = vec![0; trace.balls.len()];
-        let mut places = Places {
-            by_occurrence: HashMap::new(),
-            occurrence: Vec::new(),
-            place: Vec::new(),
-        };
-        for (index, event) in trace.events.iter().enumerate() {
-            let count = counts.entry(event.kind).or_insert(0);
-            places.by_occurrence.insert((event.kind, *count), index);
-            places.occurrence.push((event.kind, *count));
-            *count += 1;
-            let (a, b) = event.kind.balls();
-            let mut place = |ball: usize| {
-                so_far[ball] += 1;
-                so_far[ball]
-            };
-            let first = place(a);
-            places.place.push((first, b.map(place)));
-        }
-        places
-    }
-
-    /// The event that is `other`'s event `index`, at the same place in the history of its balls.
-    fn find(&self, other: &Places, index: usize) -> Option<usize> {
-        let found = *self.by_occurrence.get(other.occurrence.get(index)?)?;
-        (self.place[found] == other.place[index]).then_some(found)
-    }
+    balls(event.kind).filter_map(side)
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@
 mod absence;
 mod answer;
 mod horizon;
+mod places;
 
 pub use crate::engine::exact::Precision;
 pub use crate::engine::exact::place_errors;

@@ -361,6 +361,7 @@ fn take_up<T: Real, U: Real>(
             start: balls.now(),
             stuck: 0,
             unchanged: 0,
+            beyond: Vec::new(),
         });
     }
     for encounter in &given.parting {

@@ -109,11 +109,10 @@ impl<'a, T: Real> Solver<'a, T> {
         let run = Loop {
             agenda: Agenda::new(&balls, partners),
             streaks: Streaks::new(balls.count()),
-            slow: match contacts {
-                AtContacts::Auto if is_followed(balls.scene()) => balls.world().blurs(),
-                AtContacts::Follow if balls.world().presses() => balls.world().blurs(),
-                // none is
-                _ => T::lift(f64::NEG_INFINITY),
+            slow: if contacts != AtContacts::Collapse && balls.world().presses() {
+                balls.world().blurs()
+            } else {
+                T::lift(f64::NEG_INFINITY) // none is
             },
             begun: Vec::new(),
             // asked where the first slow impact is
@@ -387,7 +386,8 @@ impl<T: Real> Loop<'_, T> {
     /// Whether what is slow is followed.
     #[cold]
     fn follows(&mut self) -> bool {
-        if std::mem::take(&mut self.is_open) && starts_pressed(self.balls.scene()) {
+        let scene = self.balls.scene();
+        if std::mem::take(&mut self.is_open) && !(is_followed(scene) && !starts_pressed(scene)) {
             self.slow = T::lift(f64::NEG_INFINITY);
         }
         self.slow > T::zero()

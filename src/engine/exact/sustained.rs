@@ -52,8 +52,9 @@ impl<T: Real> Loop<'_, T> {
         self.journal.stretch(&self.balls, &held);
         let encounters = held.encounters();
         let world = self.balls.world();
-        let states = held.arc.end(world, &held.group);
+        let mut states = held.arc.end(world, &held.group);
         let changes = held.arc.changes.clone();
+        let beyond = held.arc.places(&held.beyond, &mut states);
         let mut group = held.group;
         for (member, state) in group.members.iter_mut().zip(states) {
             member.moving = state;
@@ -72,6 +73,7 @@ impl<T: Real> Loop<'_, T> {
                 start: self.balls.now(),
                 stuck: held.stuck,
                 unchanged: held.unchanged + 1,
+                beyond,
             });
             return None;
         }
@@ -174,6 +176,7 @@ impl<T: Real> Loop<'_, T> {
                 start: self.balls.now(),
                 stuck,
                 unchanged: 0,
+                beyond: Vec::new(),
             });
         }
         for touch in &decision.parting {

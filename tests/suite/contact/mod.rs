@@ -4,6 +4,7 @@
 
 pub mod catalogue;
 mod derivatives;
+mod digits;
 mod energy;
 mod in_line;
 mod nested;

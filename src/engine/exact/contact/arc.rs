@@ -86,6 +86,12 @@ impl<T: Real> Series<T> {
         }
     }
 
+    /// How far its centre comes in `h` seconds after the start, length.
+    fn advance(&self, h: T) -> [T; 2] {
+        let h = h / self.unit;
+        [0, 1].map(|axis| h * at(self.position[axis].get(1..).unwrap_or_default(), h))
+    }
+
     /// Its acceleration `h` seconds after the start, length/s^2.
     pub fn acceleration(&self, h: T) -> [T; 2] {
         let h = h / self.unit;
@@ -254,6 +260,23 @@ impl<T: Real> Arc<T> {
                 series.slopes.push((at, last));
             }
         }
+    }
+
+    /// Puts members at their places at the end, with what those before could not tell; answers what these cannot.
+    pub fn places(&self, beyond: &[[T; 2]], states: &mut [Moving<T>]) -> Vec<[T; 2]> {
+        let mut left = Vec::with_capacity(states.len());
+        for (i, (series, state)) in self.series.iter().zip(states).enumerate() {
+            let come = series.advance(self.length);
+            left.push([0, 1].map(|axis| {
+                let start = series.position[axis].first().copied();
+                let start = start.unwrap_or_else(T::zero);
+                let come = come[axis] + beyond.get(i).map_or_else(T::zero, |place| place[axis]);
+                let place = start + come;
+                state.position[axis] = place.following(state.position[axis]);
+                (come - (place - start)).detached()
+            }));
+        }
+        left
     }
 
     /// How the members move at the end, with what ended there set.

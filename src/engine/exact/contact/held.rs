@@ -19,6 +19,9 @@ pub struct Held<T> {
     pub stuck: u32,
     /// Stretches since something last changed.
     pub unchanged: u32,
+    /// How far each member has come in those beyond what its place can tell, length: where one turns within a very short time, others come no farther
+    /// in a stretch than their rounding. Empty where nothing has been left.
+    pub beyond: Vec<[T; 2]>,
 }
 
 impl<T: Real> Held<T> {
@@ -102,6 +105,8 @@ impl<T: Real> Contacts<T> {
             Encounter::Pair(a, b) => [version(a), version(b)],
             Encounter::Cushion(a, _) => [version(a); 2],
         };
+        // the same again, as from a run in more digits that knew of it, is one
+        self.parting.retain(|known| known.encounter != encounter);
         self.parting.push(Parting {
             encounter,
             versions,

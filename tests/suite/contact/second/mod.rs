@@ -10,7 +10,7 @@ mod method;
 mod stepping;
 mod window;
 
-use breaks::Break;
+pub use breaks::Break;
 use carom::compare::sweep;
 use carom::trace::Trace;
 use laws::Plane;
