@@ -55,7 +55,7 @@ fn place(trace: &Trace, ball: usize, time: f64) -> [f64; 2] {
 
 #[test]
 fn a_contact_is_told_in_the_hits_and_places_of_every_engine() {
-    // the contact as 60 digits give it, and what leads to it: c. the scenes' descriptions and references/contact
+    // the contact as 60 digits give it: the scenes' descriptions and references/contact
     let cases = [
         (
             "accumulate-three",
@@ -197,6 +197,23 @@ fn an_error_that_a_ball_has_without_contact_is_not_put_down_to_the_contact() {
         alone * 4.0 > own.error && alone < own.error * 4.0,
         "{own:?}"
     );
+}
+
+#[test]
+fn a_ball_at_a_cushion_is_held_against_no_ball_without_one() {
+    let contacts = contacts_of("press-cushion", "stepper");
+    let own = contacts[0].own.as_ref().unwrap();
+    assert!(own.alone.is_none() && own.error > 0.0, "{own:?}");
+}
+
+#[test]
+fn a_contact_that_ends_as_it_begins_is_off_by_what_was_before() {
+    // a rack with losses: impacts of two come to a limit from which they part
+    let contacts = contacts_of("soft-break-2ms", "stepper");
+    let contact = contacts.first().unwrap();
+    assert_eq!(contact.phase.begin, contact.phase.end);
+    assert!(contact.is_short && contact.own.is_none());
+    assert_eq!(contact.error_at_begin, contact.error_at_end);
 }
 
 fn contact_table(document: &Document) -> Option<&Table> {

@@ -2,7 +2,7 @@
 //!
 //! The places at the end of a contact have all errors before it in them. So each engine is started once more where the contact begins, in
 //! the states of the reference, and run to its end: what it is off by then is its own. Two things are tried on that: the ablations of the
-//! engine, each alone, and each ball of the contact without anything to meet.
+//! engine, each alone, and each ball of the contact without the other.
 
 use super::ComparisonOutcome;
 use super::scale::Scale;
@@ -28,7 +28,9 @@ pub struct ContactStanding {
     pub error_at_begin: Option<f64>,
     /// The same where it ends.
     pub error_at_end: Option<f64>,
-    /// What the engine makes of it by itself; `None` where it does not step, and where the contact is over before a step is.
+    /// True where the contact is over before a step of the engine is.
+    pub is_short: bool,
+    /// What the engine makes of it by itself; `None` where it does not step, and for a contact that is short.
     pub own: Option<OwnError>,
 }
 
@@ -37,7 +39,8 @@ pub struct ContactStanding {
 pub struct OwnError {
     /// Distance from the reference at the end, the farther ball's.
     pub error: f64,
-    /// The same of a ball of the contact that has nothing to meet, from the reference's run of such a ball.
+    /// The same of a ball of the contact that is alone on the table, from where the reference has such a ball; `None` for a ball at a
+    /// cushion, which goes elsewhere without it.
     pub alone: Option<f64>,
     /// Exchanges between the two on the way.
     pub exchanges: u64,
@@ -73,6 +76,9 @@ impl Ablated {
 /// An error is mostly what more than one in so many parts of it are.
 const MOSTLY: f64 = 2.0;
 
+/// What leaves more than this part of an error is not told as a part of its cause.
+const MERELY: f64 = 0.75;
+
 impl ContactStanding {
     /// What a trace has in place of each contact of the reference that can be believed; what the engine makes of it is asked later.
     pub(super) fn of(comparison: &Comparison<'_>) -> Vec<Self> {
@@ -81,6 +87,7 @@ impl ContactStanding {
             apart: compare::apart(comparison, comparison.trace, &phase),
             error_at_begin: error_at_begin(comparison, &phase),
             error_at_end: error_at_end(comparison, &phase),
+            is_short: phase.end - phase.begin < comparison.trace.provenance.resolution,
             own: None,
             phase,
         };
@@ -93,7 +100,11 @@ impl ContactStanding {
     /// Where the error at the end comes from, in one sentence; empty where that was not asked.
     pub(super) fn why(&self, scale: &Scale) -> String {
         let Some(own) = &self.own else {
-            return String::new();
+            let words = match self.is_short {
+                true => "from before it: it is over before a step is",
+                false => "",
+            };
+            return words.to_owned();
         };
         let of_itself = own.sentence(scale);
         match self.error_at_end {
@@ -106,33 +117,28 @@ impl ContactStanding {
 }
 
 impl OwnError {
-    /// What the error is made of, in one sentence.
+    /// What the error is made of, in one sentence: what was tried, what it left, and what else there is.
     fn sentence(&self, scale: &Scale) -> String {
-        if let Some(alone) = self.alone.filter(|alone| alone * MOSTLY >= self.error) {
-            let alone = scale.words(alone);
-            return format!("no contact needed: {alone} for a ball that meets nothing");
-        }
-        let best = self.ablations.iter();
-        let best = best.min_by(|a, b| a.error.total_cmp(&b.error));
-        let exchanges = match self.exchanges {
-            1 => "1 exchange".to_owned(),
-            n => format!("{n} exchanges"),
+        let besides = match self.alone.filter(|alone| alone * MOSTLY >= self.error) {
+            Some(alone) => format!("a ball that meets nothing is off by {}", scale.words(alone)),
+            None => match self.exchanges {
+                1 => "1 exchange in place of a force".to_owned(),
+                n => format!("{n} exchanges in place of a force"),
+            },
         };
-        let Some(best) = best else {
-            return format!("{exchanges} in place of a force");
+        let tried = self.ablations.iter();
+        let Some(best) = tried.min_by(|a, b| a.error.total_cmp(&b.error)) else {
+            return besides;
         };
-        let left = format!("{} with {}", scale.words(best.error), best.setting);
         let what = &best.what;
+        let left = format!("{} with {}", scale.words(best.error), best.setting);
         if best.explains(self.error) {
             format!("{what}: {left}")
-        } else if best.error * MOSTLY <= self.error {
-            format!("in part {what}: {left}")
+        } else if best.error <= self.error * MERELY {
+            format!("in part {what}: {left}; {besides}")
         } else {
             let tried: Vec<&str> = self.ablations.iter().map(|a| &*a.what).collect();
-            format!(
-                "not {}: {left}; {exchanges} in place of a force",
-                tried.join(" or ")
-            )
+            format!("not {}: {left}; {besides}", tried.join(" or "))
         }
     }
 }
@@ -152,8 +158,7 @@ pub(super) fn find_own_errors(outcome: &mut ComparisonOutcome, watch: Watch<'_>)
             continue;
         };
         for (k, contact) in standing.contacts.iter().enumerate() {
-            let lasts = contact.phase.end - contact.phase.begin;
-            if lasts <= trace.provenance.resolution || trace.provenance.resolution == 0.0 {
+            if contact.is_short || trace.provenance.resolution == 0.0 {
                 continue;
             }
             let again = Again::new(&outcome.scene, reference, contact.phase);
@@ -242,7 +247,10 @@ impl<'a> Again<'a> {
         let hits = own.events.iter().filter(|event| event.kind == self.hit());
         Some(OwnError {
             error: self.error(&own)?,
-            alone: self.alone(column, solver, watch),
+            alone: match self.phase.hit {
+                EventKind::BallBall(..) => self.alone(column, solver, watch),
+                _ => None,
+            },
             exchanges: hits.filter_map(|event| event.exchanges).sum(),
             ablations: ablated.collect(),
         })
@@ -274,7 +282,7 @@ impl<'a> Again<'a> {
         Some(distances?.into_iter().reduce(worse)? / self.radius)
     }
 
-    /// The largest distance between the ends of an engine and of the reference for a ball of the contact that has nothing to meet, R.
+    /// The largest distance between the ends of an engine and of the reference for a ball of the contact that is alone on the table, R.
     fn alone(
         &self,
         column: &Configuration,
@@ -285,9 +293,6 @@ impl<'a> Again<'a> {
         for ball in self.phase.balls() {
             let mut scene = self.scene.clone();
             scene.balls = vec![scene.balls[self.place(ball)?].clone()];
-            if let EventKind::BallCushion(..) = self.phase.hit {
-                scene.effects.cushion = None;
-            }
             let ends: Option<Vec<Trace>> = runs(&scene, &[column.clone(), solver.clone()], watch)
                 .into_iter()
                 .collect();

@@ -228,8 +228,9 @@ pub fn contact_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table
         let mut row = vec![
             Cell::text(format!("{label} (reference)")),
             Cell::text(phase.name(trace)),
+            // each hit of the reference is one exchange
             Cell::Count(phase.hits as u64),
-            Cell::Empty,
+            Cell::Count(phase.hits as u64),
             seconds((phase.hits > 0).then_some(phase.from)),
             seconds(Some(phase.begin)),
             seconds(Some(phase.end)),
