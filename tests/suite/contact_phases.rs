@@ -165,6 +165,46 @@ fn what_impacts_come_to_is_known_beyond_their_horizon() {
 }
 
 #[test]
+fn nothing_is_said_of_a_contact_beyond_the_horizon() {
+    // the impacts of the second begin after the horizon, which lies in those of the first
+    let outcome = compared("accumulate-four-lossy", &[("stepper", "")]);
+    let (exact, standing) = (outcome.entries[0].trace(), &outcome.entries[1].standing);
+    let [first, second] = contact_phases(exact.unwrap())[..] else {
+        panic!("two contacts");
+    };
+    assert!(second.from > outcome.certain_until());
+    let told: Vec<_> = standing
+        .as_ref()
+        .unwrap()
+        .contacts
+        .iter()
+        .map(|c| c.phase)
+        .collect();
+    assert_eq!(told, [first]);
+    // one that lies in a contact leaves its begin
+    let scene = scene("press-plastic");
+    let [exact, stepper] =
+        ["exact", "stepper"].map(|engine| run(engine, &[], &scene, Record::Events));
+    for (horizon, wanted) in [(1.0, [true, false]), (f64::INFINITY, [true, true])] {
+        let comparison = Comparison::new(&scene, &stepper, &exact).up_to(horizon);
+        let findings = of_pair(&comparison, "stepper");
+        let has = |metric: &str| {
+            findings
+                .iter()
+                .find(|f| f.metric == metric)
+                .unwrap()
+                .value
+                .is_some()
+        };
+        assert_eq!(
+            ["contact-error-begin", "contact-error-end"].map(has),
+            wanted,
+            "{horizon}"
+        );
+    }
+}
+
+#[test]
 fn an_error_that_a_finer_step_does_not_cure_is_told_from_one_that_it_does() {
     // a ball whose slides are followed in full is off by the step alone; one that is pushed while it rolls loses part of its rolling
     // resistance at every exchange, however many there are

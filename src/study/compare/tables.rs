@@ -238,7 +238,9 @@ pub fn contact_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table
         row.resize(columns.len(), Cell::Empty);
         rows.push(row);
         for (label, standing) in &compared {
-            let own = &standing.contacts[k];
+            let Some(own) = standing.contacts.get(k) else {
+                continue;
+            };
             rows.push(vec![
                 Cell::text(label.clone()),
                 Cell::text(phase.name(trace)),
