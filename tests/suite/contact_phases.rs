@@ -228,6 +228,38 @@ fn an_error_that_a_finer_step_does_not_cure_is_told_from_one_that_it_does() {
 }
 
 #[test]
+fn what_no_step_cures_is_the_rolling_loss_that_exchanges_leave_out() {
+    // each exchange J leaves a slide of 2 J / (7 mu_slide m g) in which rolling resistance takes nothing: of a force lambda the share
+    // 2 lambda / (7 mu_slide m g), however small the exchanges are. A ball that slides pushes one that rolls until it rolls itself, and
+    // both roll out with what was not taken
+    let (g, mu_slide, mu_roll, mu) = (9.81, 0.2, 0.01, 0.06);
+    let outcome = compared("press-follow", &[("stepper", "contact=approaching-only")]);
+    let exact = outcome.entries[0].trace().unwrap();
+    let own = outcome.entries[1].standing.as_ref().unwrap().contacts[0].clone();
+    let begin = own.phase.begin;
+    let rolls = |e: &&carom::trace::Event| e.kind == EventKind::SlideToRoll(0) && e.time > begin;
+    let end = exact.events.iter().find(rolls).unwrap().time;
+    let response = 1.0 + 5.0 / 7.0 * (1.0 - mu);
+    let lambda = (mu_slide + mu_roll) * g / response;
+    let left_out = 2.0 * lambda / (7.0 * mu_slide * g) * mu_roll * g;
+    let faster = left_out / response * (end - begin);
+    let speed = exact.paths[0].state_at(end).unwrap().velocity.x;
+    let farther = 0.5 * faster * (end - begin) + (speed + 0.5 * faster) * faster / (mu_roll * g);
+    let radius = outcome.scene.smallest_radius();
+    let own = own.own.unwrap();
+    let finest = own.ablations.iter().find(|a| a.finer > 1.0).unwrap();
+    // lambda, and with it the time of the press, is itself less by what is left out of (mu_slide + mu_roll) g
+    let tolerance = left_out / ((mu_slide + mu_roll) * g) * farther / radius;
+    for error in [own.error, finest.error] {
+        assert!(
+            (error - farther / radius).abs() < tolerance,
+            "{error}, predicted {} +- {tolerance}",
+            farther / radius
+        );
+    }
+}
+
+#[test]
 fn an_error_that_a_ball_has_without_contact_is_not_put_down_to_the_contact() {
     let contacts = contacts_of("press-plastic", "rapier-f64");
     let own = contacts[0].own.as_ref().unwrap();
