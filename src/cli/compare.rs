@@ -3,7 +3,7 @@
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
 use crate::engine::{Limits, Roster};
-use crate::study::compare::{default_columns, plan};
+use crate::study::compare::{default_columns, plan, shorten};
 use crate::study::{Answer, Configuration, Timing, Watch};
 use std::process::ExitCode;
 
@@ -20,7 +20,11 @@ pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode
     let max_events = Limits::NONE.max_events;
     let answer = Answer::to(&scene, &columns, Timing::Alone, max_events, watch)?;
     drop(progress);
-    terminal::show(&answer.summary(arguments.units), &arguments.format)
+    let mut summary = answer.summary(arguments.units);
+    if arguments.format.is_cut {
+        shorten(&mut summary);
+    }
+    terminal::show(&summary, &arguments.format)
 }
 
 /// The engines that were named, or the default ones; the exact engine first.

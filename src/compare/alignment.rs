@@ -13,7 +13,9 @@ pub struct Order {
     /// Length of the common prefix, event for event.
     pub strict: usize,
     /// Length of the common prefix when two events may swap that share no ball and lie closer together in the reference
-    /// than the resolution. Pairs are tested one by one: ties never chain.
+    /// than the resolution. Pairs are tested one by one: ties never chain. Two hits of the same two are never a tie, not even where they
+    /// come faster than the resolution on their way into a contact that lasts: an engine has one episode of many impacts there long before
+    /// that, and where orders part for this reason it is told ([`super::contact_phases`]).
     pub tolerant: usize,
     /// Index in the trace's collisions and in the reference's of each matched event, ordered by the trace.
     pub matched: Vec<(usize, usize)>,

@@ -5,6 +5,7 @@
 
 mod alignment;
 mod attribution;
+mod contact;
 mod divergence;
 mod final_position;
 mod judge;
@@ -17,6 +18,10 @@ mod turned;
 
 pub use alignment::{Order, Parting, align, align_to_parting};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
+pub use contact::{
+    ContactHits, ContactPhase, apart, believed_phases, contact_phases, error_at_begin,
+    error_at_end, hits_in,
+};
 pub use divergence::{Divergence, divergence};
 pub use judge::{Overlap, deepest_overlap, worst_overlap};
 pub use stop_time::stop_times;
@@ -148,6 +153,11 @@ pub const METRICS: &[Metric] = &[
     order::PHANTOM,
     order::LATE,
     order::EXCHANGES,
+    contact::EPISODES,
+    contact::EXCHANGES,
+    contact::APART,
+    contact::ERROR_AT_BEGIN,
+    contact::ERROR_AT_END,
     sanity::ENERGY_GAINED,
     sanity::ENERGY_LEFT_OUT,
     sanity::MOMENTUM,

@@ -223,6 +223,7 @@ fn reason(outcome: &ComparisonOutcome, rivals: [&Configuration; 2]) -> String {
             "hits fall closer together than a step resolves".to_owned()
         }
         Some(Cause::Setting { what, .. }) => format!("{what} decides a hit"),
+        Some(Cause::Contact { .. }) => "a contact that lasts takes hits in steps".to_owned(),
         Some(Cause::Open { .. }) | None => "no single setting explains it".to_owned(),
     }
 }

@@ -12,6 +12,7 @@ mod claims;
 mod cli;
 mod compare;
 mod contact;
+mod contact_phases;
 mod contract;
 mod contract_faults;
 mod cost;

@@ -1,12 +1,12 @@
-//! Why two collision orders first differ: the margin against the resolution, or the setting that moves it.
+//! Why two collision orders first differ: the margin against the resolution, a contact that lasts, or the setting that moves it.
 
 use super::words::describe_span;
 use super::{ComparisonOutcome, Standing};
-use crate::compare::Parting;
+use crate::compare::{ContactPhase, Parting};
 use crate::engine::{Name, Setting};
 use crate::scene::Scene;
 use crate::study::matrix::{Configuration, Timing, Watch, run_row};
-use crate::trace::{EventKind, Record, Trace};
+use crate::trace::{Event, EventKind, Record, Trace};
 
 /// Why two collision orders differ where they first do.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,19 @@ pub enum Cause {
         /// The setting under which the orders agree at this place.
         setting: Setting,
     },
-    /// Neither; the settings that were tried.
+    /// The two that meet in one of the traces and not in the other are in contact, or so close to it that impacts come faster than the
+    /// engine resolves.
+    Contact {
+        /// The two, as `cue-1`.
+        name: String,
+        /// From when to when the reference has them in contact, s.
+        span: [f64; 2],
+        /// Time from the impact before in the reference, s; `None` once they are in contact.
+        interval: Option<f64>,
+        /// What the engine resolves, s.
+        resolution: f64,
+    },
+    /// None of these; the settings that were tried.
     Open {
         /// Time between the two candidates in the reference, s, if it has both.
         margin: Option<f64>,
@@ -48,6 +60,21 @@ impl Cause {
             Cause::Setting { what, setting } => {
                 format!("{what}: with {setting} the orders agree here")
             }
+            Cause::Contact {
+                name,
+                span: [begin, end],
+                interval,
+                resolution,
+            } => match interval {
+                Some(interval) => format!(
+                    "impacts of {name} are {} apart here, on their way into a contact at {begin:.7} s; event times are resolved to {}",
+                    describe_span(*interval),
+                    describe_span(*resolution)
+                ),
+                None => format!(
+                    "{name} is in contact from {begin:.4} s to {end:.4} s, which takes no hits"
+                ),
+            },
             Cause::Open {
                 margin,
                 resolution,
@@ -73,7 +100,7 @@ impl Cause {
     }
 }
 
-/// Finds the cause of every first difference of an outcome. Margins are read; what they do not explain is rerun with one
+/// Finds the cause of every first difference of an outcome. Margins and contacts are read; what they do not explain is rerun with one
 /// knob changed, up to the difference.
 pub(super) fn find_causes(outcome: &mut ComparisonOutcome, watch: Watch<'_>) {
     let mut causes = Vec::new();
@@ -121,6 +148,9 @@ fn cause(
     if let Some(cause) = by_margin(parting, resolution) {
         return Some(cause);
     }
+    if let Some(cause) = by_contact(standing, reference) {
+        return Some(cause);
+    }
     // one more than agree: where the reference has nothing more, the engine may have nothing more either
     let prefix = |trace: &Trace| -> Vec<EventKind> {
         trace
@@ -166,6 +196,38 @@ fn cause(
 fn by_margin(parting: &Parting, resolution: f64) -> Option<Cause> {
     let margin = parting.margin?.abs();
     (margin <= resolution).then_some(Cause::Resolution { margin, resolution })
+}
+
+/// A difference that a contact of the reference makes: hits while it lasts, and impacts before it that are closer than is resolved.
+fn by_contact(standing: &Standing, reference: &Trace) -> Option<Cause> {
+    let parting = standing.order.parting.as_ref()?;
+    let resolution = standing.order.resolution;
+    let cause = |phase: &ContactPhase| {
+        let own = |event: &&Event| event.kind == phase.hit;
+        let held = parting.event.as_ref().filter(own).is_some_and(|event| {
+            event.time >= phase.begin - resolution && event.time <= phase.end + resolution
+        });
+        let before = reference
+            .collisions()
+            .take(parting.index)
+            .filter(own)
+            .last();
+        let interval = parting.reference.as_ref().filter(own).zip(before);
+        let interval = interval
+            .filter(|(next, _)| next.time > phase.from && next.time <= phase.begin)
+            .map(|(next, before)| next.time - before.time)
+            .filter(|interval| *interval <= resolution);
+        (held || interval.is_some()).then(|| Cause::Contact {
+            name: phase.name(reference),
+            span: [phase.begin, phase.end],
+            interval,
+            resolution,
+        })
+    };
+    standing
+        .contacts
+        .iter()
+        .find_map(|contact| cause(&contact.phase))
 }
 
 /// Part of the time to the difference by which a rerun goes on after it: an event may come later there.

@@ -4,6 +4,7 @@
 //! answer, and every pair of the others; the first difference with its cause; what the divergence is made of.
 
 mod causes;
+mod contacts;
 mod figures;
 mod page;
 mod parting;
@@ -13,8 +14,9 @@ mod tables;
 mod words;
 
 pub use causes::Cause;
+pub use contacts::{Ablated, ContactStanding, OwnError};
 pub(super) use figures::{TABLE_CAPTION, table_picture};
-pub use page::{page, summary, thumbnail};
+pub use page::{page, shorten, summary, thumbnail};
 pub use replay::replay;
 pub use scale::LengthUnit;
 pub use words::{
@@ -79,6 +81,8 @@ pub struct Standing {
     pub divergence: Vec<[f64; 2]>,
     /// Largest distance between final positions, R.
     pub final_position: Option<f64>,
+    /// What it has in place of each contact of the other that lasts.
+    pub contacts: Vec<ContactStanding>,
 }
 
 /// Two engines of which neither is the reference.
@@ -220,6 +224,7 @@ pub fn study_within(
         standing.attribution.model = model;
     }
     causes::find_causes(&mut outcome, watch);
+    contacts::find_own_errors(&mut outcome, watch);
     outcome
 }
 
@@ -333,6 +338,7 @@ impl Standing {
                 comparison.reference,
             ),
             divergence: comparison.divergence.points.iter().map(in_radii).collect(),
+            contacts: ContactStanding::of(&comparison),
             order: comparison.order,
             cause: None,
             attribution,

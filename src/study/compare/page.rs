@@ -2,8 +2,8 @@
 
 use super::scale::{LengthUnit, Scale};
 use super::tables::{
-    attribution_table, ball_table, comparison_table, divergence_table, event_table,
-    first_differences, pair_table, sanity_table, settings, sheet,
+    CONTACTS, attribution_table, ball_table, comparison_table, contact_table, divergence_table,
+    event_table, first_differences, pair_table, sanity_table, settings, sheet,
 };
 use super::words::{describe_ending, describe_horizon, describe_scene, listed};
 use super::{ComparisonOutcome, PairOutcome, Standing, figures, parting, replay};
@@ -21,6 +21,7 @@ pub fn summary(outcome: &ComparisonOutcome, unit: LengthUnit) -> Document {
     ];
     blocks.push(Block::Table(comparison_table(outcome, &scale)));
     blocks.extend(first_differences(outcome).map(Block::Table));
+    blocks.extend(contact_table(outcome, &scale).map(Block::Table));
     if outcome.reference.is_some() {
         blocks.push(Block::Table(attribution_table(outcome, &scale)));
     }
@@ -32,6 +33,24 @@ pub fn summary(outcome: &ComparisonOutcome, unit: LengthUnit) -> Document {
         lead: headline(outcome),
         blocks,
         pages: Vec::new(),
+    }
+}
+
+/// Rows of a table of contacts that a reader of a terminal takes in.
+const MOST_CONTACTS: usize = 12;
+
+/// Cuts a summary to what a reader of a terminal takes in, and says what it leaves out.
+pub fn shorten(document: &mut Document) {
+    for block in &mut document.blocks {
+        let Block::Table(table) = block else { continue };
+        let more = table.rows.len().saturating_sub(MOST_CONTACTS);
+        if table.id == CONTACTS && more > 0 {
+            table.rows.truncate(MOST_CONTACTS);
+            table.note = format!(
+                "And {more} more rows; csv and json have them. {}",
+                table.note
+            );
+        }
     }
 }
 

@@ -54,6 +54,17 @@ impl Scale {
         Cell::maybe(in_radii.map(|r| r * self.factor))
     }
 
+    /// A length given in R, with two digits, for a sentence.
+    pub fn words(&self, in_radii: f64) -> String {
+        let length = in_radii * self.factor;
+        if length == 0.0 || (1e-3..1e5).contains(&length) {
+            let digits = (1.0 - length.max(1e-3).log10().floor()).clamp(0.0, 4.0) as usize;
+            format!("{length:.digits$} {}", self.unit)
+        } else {
+            format!("{length:.1e} {}", self.unit)
+        }
+    }
+
     /// A worst length given in R, with the ball that owns it.
     pub fn owned(&self, worst: Option<(f64, &str)>) -> Cell {
         match worst {

@@ -2,7 +2,7 @@
 
 use super::scale::Scale;
 use super::words::{describe_ending, describe_event, describe_order, describe_span};
-use super::{ComparisonEntry, ComparisonOutcome, Standing, figures, pair_label};
+use super::{ComparisonEntry, ComparisonOutcome, ContactStanding, Standing, figures, pair_label};
 use crate::compare::Order;
 use crate::engine::{Parameter, Role};
 use crate::finding::{Cell, Column, Table};
@@ -192,6 +192,79 @@ pub fn first_differences(outcome: &ComparisonOutcome) -> Option<Table> {
         columns,
         rows,
         note,
+    })
+}
+
+/// Id of the table of contacts that last.
+pub const CONTACTS: &str = "contacts";
+
+/// What each engine has in place of the contacts of the reference that last, and why it is off by then; nothing where it has none.
+pub fn contact_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table> {
+    let columns = vec![
+        Column::words("engine", "engine"),
+        Column::words("contact", "contact"),
+        Column::number("hits", "hits", ""),
+        Column::number("exchanges", "exchanges", ""),
+        Column::number("first-hit", "first hit", "s"),
+        Column::number("begin", "in contact from", "s"),
+        Column::number("until", "until", "s"),
+        Column::number("apart", "farthest apart", &scale.unit),
+        Column::number("error-at-begin", "error at begin", &scale.unit),
+        Column::number("error-at-end", "error at end", &scale.unit),
+        Column::number("error-own", "its own", &scale.unit),
+        Column::words("why", "why"),
+    ];
+    let index = outcome.reference?;
+    let label = outcome.entries[index].label();
+    let trace = outcome.entries[index].trace()?;
+    let compared = outcome.entries.iter();
+    let compared: Vec<(String, &Standing)> = compared
+        .filter_map(|entry| Some((entry.label(), entry.standing.as_ref()?)))
+        .collect();
+    let seconds = |time: Option<f64>| time.map_or(Cell::Empty, |time| Cell::Fixed(time, 4));
+    let mut rows = Vec::new();
+    let (_, first) = compared.first()?;
+    for (k, ContactStanding { phase, .. }) in first.contacts.iter().enumerate() {
+        let mut row = vec![
+            Cell::text(format!("{label} (reference)")),
+            Cell::text(phase.name(trace)),
+            // each hit of the reference is one exchange
+            Cell::Count(phase.hits as u64),
+            Cell::Count(phase.hits as u64),
+            seconds((phase.hits > 0).then_some(phase.from)),
+            seconds(Some(phase.begin)),
+            seconds(Some(phase.end)),
+        ];
+        row.resize(columns.len(), Cell::Empty);
+        rows.push(row);
+        for (label, standing) in &compared {
+            let Some(own) = standing.contacts.get(k) else {
+                continue;
+            };
+            rows.push(vec![
+                Cell::text(label.clone()),
+                Cell::text(phase.name(trace)),
+                Cell::Count(own.hits.episodes as u64),
+                Cell::Count(own.hits.exchanges),
+                seconds(own.hits.first),
+                Cell::Empty,
+                seconds(own.hits.until),
+                scale.cell(own.apart),
+                scale.cell(own.error_at_begin),
+                scale.cell(own.error_at_end),
+                scale.cell(own.own.as_ref().map(|own| own.error)),
+                Cell::text(own.why(scale)),
+            ]);
+        }
+    }
+    let note = "hits: from the first of those that lead to the contact, an overlap that lasts is one; until: their last exchange. Errors: of its balls, the \
+                farther one's; its own: at the end, if it is started in the states of the reference where the contact begins.";
+    (!rows.is_empty()).then(|| Table {
+        id: CONTACTS.to_owned(),
+        title: "Contacts that last".to_owned(),
+        columns,
+        rows,
+        note: note.to_owned(),
     })
 }
 
