@@ -174,17 +174,10 @@ fn run_to(begin: f64, hits: &[f64]) -> &[f64] {
     &hits[start..]
 }
 
-/// The contacts of the reference that it can be believed about: those that begin before the horizon, and the one whose impacts are what
-/// the horizon lies in. There impacts come faster than their times are known, and the order of two of them is lost; what they come to is not.
+/// The contacts of the reference that it can be believed about: those that begin before the horizon.
 pub fn believed_phases(c: &Comparison<'_>) -> Vec<ContactPhase> {
     let mut phases = contact_phases(c.reference);
-    let events = &c.reference.events;
-    let beyond = events.partition_point(|event| event.time < c.horizon);
-    let lost = events.get(beyond).map(|event| event.kind);
-    phases.retain(|phase| {
-        let own = lost.is_some_and(|kind| kind.shares_ball(phase.hit));
-        phase.begin <= c.horizon || (phase.from < c.horizon && own)
-    });
+    phases.retain(|phase| phase.begin < c.horizon);
     phases
 }
 

@@ -196,15 +196,15 @@ pub fn first_differences(outcome: &ComparisonOutcome) -> Option<Table> {
 }
 
 /// Id of the table of contacts that last.
-pub const CONTACTS: &str = "contacts";
+pub const CONTACTS: &str = "contact-phases";
 
 /// What each engine has in place of the contacts of the reference that last, and why it is off by then; nothing where it has none.
 pub fn contact_table(outcome: &ComparisonOutcome, scale: &Scale) -> Option<Table> {
     let columns = vec![
         Column::words("engine", "engine"),
-        Column::words("contact", "contact"),
+        Column::words("contact-of", "contact of"),
         Column::number("hits", "hits", ""),
-        Column::number("exchanges", "exchanges", ""),
+        Column::number("contact-exchanges", "exchanges in all", ""),
         Column::number("first-hit", "first hit", "s"),
         Column::number("begin", "in contact from", "s"),
         Column::number("until", "until", "s"),
