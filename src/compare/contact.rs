@@ -194,7 +194,7 @@ fn of_phases(c: &Comparison<'_>, value: impl Fn(&ContactPhase) -> Option<f64>) -
 pub fn hits_in(c: &Comparison<'_>, phase: &ContactPhase) -> ContactHits {
     let (from, to) = (
         phase.from - c.order.resolution,
-        phase.end + c.order.resolution,
+        phase.end.min(c.horizon) + c.order.resolution,
     );
     let exchanged = last_exchanges(c.trace, phase.hit.balls().0);
     let mut found = ContactHits::default();
@@ -232,7 +232,7 @@ fn last_exchanges(trace: &Trace, ball: usize) -> HashMap<u32, f64> {
 /// Largest gap in `trace` between two that the reference has in contact, R, at its knots and at both ends; negative where they
 /// overlap throughout. `None` where one of them has left play, or the trace has ended.
 pub fn apart(c: &Comparison<'_>, trace: &Trace, phase: &ContactPhase) -> Option<f64> {
-    let end = phase.end.min(c.common_end());
+    let end = phase.end.min(c.common_end()).min(c.horizon);
     if phase.begin > end {
         return None;
     }

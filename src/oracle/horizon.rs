@@ -8,6 +8,7 @@
 //! error. Where both precisions reach the contact, with its balls at the same places and as fast, it is one event of which all this is asked.
 
 use super::places::Places;
+use crate::compare::contact_phases;
 use crate::engine::Limits;
 use crate::engine::exact::sensitivity::{Growth, growth};
 use crate::engine::exact::{Precision, Solution, certify, solve};
@@ -48,8 +49,8 @@ pub struct Sight {
     pub estimated: Option<f64>,
     /// Difference of its time from the witness's, s; `None` where the witness does not have it in this place.
     pub seen: Option<f64>,
-    /// Largest difference of time, position and velocity of its balls, in the units of [`BAND`]; where a contact begins, of places and velocities
-    /// once it has in both.
+    /// Largest difference of time, position and velocity of its balls, in the units of [`BAND`]; at the instant at which a contact of one of them
+    /// begins, of places and velocities once it has in both.
     pub apart: Option<f64>,
     /// Whether it is one of impacts that shrink to a contact which both precisions reach alike: which of them are told, and in which order, is then of no
     /// account.
@@ -238,7 +239,10 @@ fn sights<T: Real, W: Real>(
             if balls(event.kind).any(|ball| begun[ball] == event.time) {
                 // the time at which a contact begins is no better than what is left of the approach, and so is that of what else happens then
                 let both = once_begun([&run.trace, &witness.trace], [index, other]);
-                return both.map(far).fold(0.0, worse);
+                return both
+                    .into_iter()
+                    .map(|both| both.map_or(f64::INFINITY, far))
+                    .fold(0.0, worse);
             }
             let sides = sides(&run.trace, index, event).zip(sides(&witness.trace, other, event));
             sides.map(far).fold(seen * speed / length, worse)
@@ -253,39 +257,32 @@ fn sights<T: Real, W: Real>(
             shrinks: false,
         });
     }
-    let ends: Vec<usize> = (0..sights.len())
-        .filter(|index| matches!(sights[*index].event.kind, EventKind::ContactBegin(..)))
+    let from: Vec<f64> = contact_phases(&run.trace)
+        .iter()
+        .map(|phase| phase.from)
         .collect();
-    for end in ends {
-        shrink(&mut sights, end);
-    }
+    shrink(&mut sights, &from);
     let all_told = places.all_told();
     (sights, all_told)
 }
 
-/// Impacts that shrink to a contact do so for no longer than this many of the times between them: they shrink by no less than a hundredth.
-const TAIL: f64 = 100.0;
-
-/// Marks the events that lead to a contact that begins with event `end`, and whose order no scalar of so many digits tells.
-fn shrink(sights: &mut [Sight], end: usize) {
-    if fault(&sights[end]).is_some() {
-        return;
-    }
-    let Sight { event, .. } = sights[end];
-    let mut balls: Vec<usize> = balls(event.kind).collect();
-    for sight in sights[..end].iter_mut().rev() {
-        let mut own = self::balls(sight.event.kind);
-        if fault(sight).is_none() || !own.any(|ball| balls.contains(&ball)) {
+/// Marks the events that lead to a contact that begins in both runs, of which no scalar of so many digits tells the order or the number: events of its own
+/// balls alone, since the first of the impacts that shrink to it. A fault of anything else, or earlier, stays one. `from`: when those began, s, of each
+/// contact in the order in which they begin.
+fn shrink(sights: &mut [Sight], from: &[f64]) {
+    let begins = |sight: &Sight| matches!(sight.event.kind, EventKind::ContactBegin(..));
+    let ends: Vec<usize> = (0..sights.len())
+        .filter(|index| begins(&sights[*index]))
+        .collect();
+    for (end, from) in ends.into_iter().zip(from) {
+        if fault(&sights[end]).is_some() {
             continue;
         }
-        let error = worse(
-            sight.estimated.unwrap_or_default(),
-            sight.seen.unwrap_or_default(),
-        );
-        let unclear = worse(error, sight.margin.unwrap_or_default());
-        if event.time - sight.event.time <= TAIL * unclear {
-            sight.shrinks = true;
-            balls.extend(self::balls(sight.event.kind));
+        let own: Vec<usize> = balls(sights[end].event.kind).collect();
+        let first = sights[..end].partition_point(|sight| sight.event.time < *from);
+        for sight in &mut sights[first..end] {
+            let is_own = balls(sight.event.kind).all(|ball| own.contains(&ball));
+            sight.shrinks |= is_own && fault(sight).is_some();
         }
     }
 }
@@ -296,13 +293,14 @@ fn balls(kind: EventKind) -> impl Iterator<Item = usize> {
     [Some(a), b].into_iter().flatten()
 }
 
-/// How the balls of a contact move in two runs, once it has begun in both.
-fn once_begun(traces: [&Trace; 2], events: [usize; 2]) -> impl Iterator<Item = (State, State)> {
+/// How the balls of an event move in two runs, once it has happened in both; `None` of one that is nowhere.
+fn once_begun(traces: [&Trace; 2], events: [usize; 2]) -> Vec<Option<(State, State)>> {
     let times = [0, 1].map(|i| traces[i].events[events[i]].time);
     let time = times[0].max(times[1]);
-    let balls = balls(traces[0].events[events[0]].kind);
-    let state = move |i: usize, ball: usize| traces[i].paths[ball].state_at(time);
-    balls.filter_map(move |ball| state(0, ball).zip(state(1, ball)))
+    let state = |i: usize, ball: usize| traces[i].paths[ball].state_at(time);
+    balls(traces[0].events[events[0]].kind)
+        .map(|ball| state(0, ball).zip(state(1, ball)))
+        .collect()
 }
 
 /// States of an event's balls on its far side, in the order of its kind.
@@ -322,9 +320,47 @@ fn sides(trace: &Trace, index: usize, event: &Event) -> impl Iterator<Item = Sta
 mod tests {
     use super::*;
     use crate::scene::catalogue;
+    use crate::trace::Partner;
 
     fn scene(name: &str) -> Scene {
         catalogue::scene(name).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    #[test]
+    fn only_what_shrinks_to_a_contact_of_its_own_balls_is_of_no_account() {
+        let sight = |time: f64, kind: EventKind, same: bool| Sight {
+            event: Event {
+                time,
+                kind,
+                exchanges: None,
+            },
+            margin: Some(1.0),
+            condition: None,
+            estimated: Some(1e-9),
+            seen: same.then_some(0.0),
+            apart: same.then_some(0.0),
+            shrinks: false,
+        };
+        let begins = |time: f64| sight(time, EventKind::ContactBegin(0, Partner::Ball(1)), true);
+        let marked = |fault: Sight| {
+            let mut sights = vec![fault, begins(1.0)];
+            shrink(&mut sights, &[0.5]);
+            sights[0].shrinks
+        };
+        let hit = EventKind::BallBall(0, 1);
+        // since the first of its impacts
+        assert!(marked(sight(1.0 - 5e-8, hit, false)));
+        assert!(marked(sight(1.0 - 5e-8, EventKind::SlideToRoll(1), false)));
+        // before them; of a third ball; and what is no fault
+        assert!(!marked(sight(0.4, hit, false)));
+        assert!(!marked(sight(0.1, EventKind::Stop(0), false)));
+        assert!(!marked(sight(1.0 - 5e-8, EventKind::BallBall(1, 2), false)));
+        assert!(!marked(sight(1.0 - 5e-8, hit, true)));
+        // nor does a contact excuse anything that is not reached alike
+        let mut apart = vec![sight(1.0 - 5e-8, hit, false), begins(1.0)];
+        apart[1].apart = Some(BAND);
+        shrink(&mut apart, &[0.5]);
+        assert!(!apart[0].shrinks);
     }
 
     #[test]

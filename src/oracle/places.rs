@@ -71,8 +71,11 @@ impl Places {
         let (kind, time) = (self.ours.kinds[index], self.ours.times[index]);
         let (a, b) = kind.balls();
         let apart = |found: &usize| (self.theirs.times[*found] - time).abs();
-        let same = self.theirs.of_ball[a].iter().copied();
-        let same = same.filter(|found| self.theirs.kinds[*found] == kind && apart(found) <= error);
+        let of_ball = &self.theirs.of_ball[a];
+        let near = of_ball.partition_point(|found| self.theirs.times[*found] < time - error);
+        let near = of_ball[near..].iter().copied();
+        let near = near.take_while(|found| self.theirs.times[*found] <= time + error);
+        let same = near.filter(|found| self.theirs.kinds[*found] == kind);
         let found = same.min_by(|one, other| apart(one).total_cmp(&apart(other)))?;
         let (ours, theirs) = (self.ours.place[index], self.theirs.place[found]);
         self.ahead[a] = theirs.0 as isize - ours.0 as isize;

@@ -3,7 +3,7 @@
 
 use super::compare::describe_rough;
 use crate::finding::{Axis, Figure, Mark, Series, Style};
-use crate::oracle::{BAND, Growth, Horizon, Precision};
+use crate::oracle::{BAND, Growth, Horizon, Precision, Sight};
 use crate::scene::Scene;
 
 /// Growth of a perturbation of the start over time, one point an event; `None` where nothing grows.
@@ -68,7 +68,8 @@ pub fn growth(scene: &Scene, horizon: &Horizon, growth: &Growth) -> Option<Figur
 
 /// The margin of each event against the error of its time: where an error reaches its margin, the order is no longer certain.
 pub fn margins(scene: &Scene, horizon: &Horizon) -> Option<Figure> {
-    let sights = || horizon.sights.iter().enumerate();
+    let told = |(_, sight): &(usize, &Sight)| !sight.shrinks;
+    let sights = || horizon.sights.iter().enumerate().filter(told);
     let of = |name: &str, style: Style, points: Vec<[f64; 2]>| Series {
         name: name.to_owned(),
         points,

@@ -65,7 +65,7 @@ fn page(scene: &Scene, horizon: &Horizon, influences: &[Influence], errors: &[f6
         Block::Text(format!(
             "{}. Held against {}: an event is within the horizon while both have it at the same place in the history of its balls, \
              differ by less than {BAND:e} R (speeds in the largest initial speed), and the next other candidate is farther away \
-             than the error of the time.",
+             than the error of the time. Impacts that shrink to a contact that both reach alike are of no account among themselves.",
             describe_ending(&horizon.trace),
             horizon.witness.id()
         )),
@@ -325,7 +325,9 @@ fn event_table(scene: &Scene, horizon: &Horizon) -> Table {
             Cell::maybe(factors.get(index).copied()),
         ];
         if !horizon.is_whole() {
-            row.push(Cell::text(if index < horizon.certain {
+            row.push(Cell::text(if sight.shrinks {
+                "of no account"
+            } else if index < horizon.certain {
                 "within"
             } else {
                 "beyond"
@@ -333,7 +335,8 @@ fn event_table(scene: &Scene, horizon: &Horizon) -> Table {
         }
         row
     };
-    let closest = horizon.sights.iter().filter_map(|sight| sight.margin);
+    let told = horizon.sights.iter().filter(|sight| !sight.shrinks);
+    let closest = told.filter_map(|sight| sight.margin);
     let closest = closest.fold(f64::INFINITY, f64::min);
     let note = format!(
         "margin: until the next other candidate of its balls, had it not happened (smallest: {}). condition: relative speed over \

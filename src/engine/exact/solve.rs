@@ -387,7 +387,8 @@ impl<T: Real> Loop<'_, T> {
     #[cold]
     fn follows(&mut self) -> bool {
         let scene = self.balls.scene();
-        if std::mem::take(&mut self.is_open) && !(is_followed(scene) && !starts_pressed(scene)) {
+        let is_open = std::mem::take(&mut self.is_open);
+        if is_open && (!is_followed(scene) || starts_pressed(scene)) {
             self.slow = T::lift(f64::NEG_INFINITY);
         }
         self.slow > T::zero()

@@ -103,7 +103,7 @@ impl ContactStanding {
     /// Where the error at the end comes from, in one sentence; empty where that was not asked.
     pub(super) fn why(&self, scale: &Scale) -> String {
         let Some(own) = &self.own else {
-            let words = match self.is_short {
+            let words = match self.is_short && self.error_at_end.is_some() {
                 true => "from before it: it is over before a step is",
                 false => "",
             };
@@ -125,12 +125,15 @@ impl OwnError {
         let besides = match self.alone.filter(|alone| alone * MOSTLY >= self.error) {
             Some(alone) => format!("a ball that meets nothing is off by {}", scale.words(alone)),
             None => match self.exchanges {
+                0 => "no exchange in place of a force".to_owned(),
                 1 => "1 exchange in place of a force".to_owned(),
                 n => format!("{n} exchanges in place of a force"),
             },
         };
-        let tried = self.ablations.iter();
-        let Some(best) = tried.min_by(|a, b| a.error.total_cmp(&b.error)) else {
+        let tried = || self.ablations.iter();
+        let cure = tried().find(|ablated| ablated.explains(self.error));
+        let least = || tried().min_by(|a, b| a.error.total_cmp(&b.error));
+        let Some(best) = cure.or_else(least) else {
             return besides;
         };
         let what = &best.what;
@@ -161,7 +164,8 @@ pub(super) fn find_own_errors(outcome: &mut ComparisonOutcome, watch: Watch<'_>)
             continue;
         };
         for (k, contact) in standing.contacts.iter().enumerate().take(MOST_ASKED) {
-            if contact.is_short || trace.provenance.resolution == 0.0 {
+            let is_told = contact.error_at_end.is_some() && !contact.is_short;
+            if !is_told || trace.provenance.resolution == 0.0 {
                 continue;
             }
             let again = Again::new(&outcome.scene, reference, contact.phase);
@@ -274,8 +278,11 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// Distance from the reference at the end of the farther ball of the contact, R. `None` where one left play.
+    /// Distance from the reference at the end of the farther ball of the contact, R. `None` where one left play, or the run did not come so far.
     fn error(&self, trace: &Trace) -> Option<f64> {
+        if !trace.ending.is_complete() {
+            return None;
+        }
         let distance = |ball: usize| {
             let ours = trace.in_play_at(self.place(ball)?, self.scene.duration)?;
             let theirs = self.reference.in_play_at(ball, self.phase.end)?;
