@@ -280,12 +280,12 @@ fn error_at(c: &Comparison<'_>, phase: &ContactPhase, time: f64) -> Option<f64> 
     Some(distances?.into_iter().reduce(worse)? / c.scene.smallest_radius())
 }
 
-/// [`ERROR_AT_BEGIN`] of one contact, R.
+/// Distance of the balls of a contact from the reference when it begins there, seen in plan; the farther one's, R.
 pub fn error_at_begin(c: &Comparison<'_>, phase: &ContactPhase) -> Option<f64> {
     error_at(c, phase, phase.begin)
 }
 
-/// [`ERROR_AT_END`] of one contact, R.
+/// The same when it ends there; `None` where the horizon lies between.
 pub fn error_at_end(c: &Comparison<'_>, phase: &ContactPhase) -> Option<f64> {
     let between = phase.begin < c.horizon && c.horizon < phase.end;
     if between {
