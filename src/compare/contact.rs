@@ -85,8 +85,7 @@ impl ContactPhase {
 
     /// Its balls: one or two.
     pub fn balls(&self) -> impl Iterator<Item = usize> {
-        let (a, b) = self.hit.balls();
-        [Some(a), b].into_iter().flatten()
+        self.hit.each_ball()
     }
 }
 

@@ -220,7 +220,10 @@ fn sights<T: Real, W: Real>(
         let known = certainty.get(index).copied().unwrap_or_default();
         let begins = matches!(event.kind, EventKind::ContactBegin(..));
         if begins {
-            balls(event.kind).for_each(|ball| begun[ball] = event.time);
+            event
+                .kind
+                .each_ball()
+                .for_each(|ball| begun[ball] = event.time);
         }
         let same = places.find(index).or_else(|| {
             let error = known.time_error.filter(|_| begins)?;
@@ -236,7 +239,7 @@ fn sights<T: Real, W: Real>(
                 let position = (a.position - b.position).norm() / length;
                 worse(position, (a.velocity - b.velocity).norm() / speed)
             };
-            if balls(event.kind).any(|ball| begun[ball] == event.time) {
+            if event.kind.each_ball().any(|ball| begun[ball] == event.time) {
                 // the time at which a contact begins is no better than what is left of the approach, and so is that of what else happens then
                 let both = once_begun([&run.trace, &witness.trace], [index, other]);
                 return both
@@ -278,19 +281,13 @@ fn shrink(sights: &mut [Sight], from: &[f64]) {
         if fault(&sights[end]).is_some() {
             continue;
         }
-        let own: Vec<usize> = balls(sights[end].event.kind).collect();
+        let own: Vec<usize> = sights[end].event.kind.each_ball().collect();
         let first = sights[..end].partition_point(|sight| sight.event.time < *from);
         for sight in &mut sights[first..end] {
-            let is_own = balls(sight.event.kind).all(|ball| own.contains(&ball));
+            let is_own = sight.event.kind.each_ball().all(|ball| own.contains(&ball));
             sight.shrinks |= is_own && fault(sight).is_some();
         }
     }
-}
-
-/// The balls of an event.
-fn balls(kind: EventKind) -> impl Iterator<Item = usize> {
-    let (a, b) = kind.balls();
-    [Some(a), b].into_iter().flatten()
 }
 
 /// How the balls of an event move in two runs, once it has happened in both; `None` of one that is nowhere.
@@ -298,7 +295,8 @@ fn once_begun(traces: [&Trace; 2], events: [usize; 2]) -> Vec<Option<(State, Sta
     let times = [0, 1].map(|i| traces[i].events[events[i]].time);
     let time = times[0].max(times[1]);
     let state = |i: usize, ball: usize| traces[i].paths[ball].state_at(time);
-    balls(traces[0].events[events[0]].kind)
+    let kind = traces[0].events[events[0]].kind;
+    kind.each_ball()
         .map(|ball| state(0, ball).zip(state(1, ball)))
         .collect()
 }
@@ -313,7 +311,7 @@ fn sides(trace: &Trace, index: usize, event: &Event) -> impl Iterator<Item = Sta
             .find(|knot| knot.after == Some(index as u32));
         far.map(|knot| knot.state)
     };
-    balls(event.kind).filter_map(side)
+    event.kind.each_ball().filter_map(side)
 }
 
 #[cfg(test)]

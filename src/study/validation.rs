@@ -219,9 +219,12 @@ fn reason(outcome: &ComparisonOutcome, rivals: [&Configuration; 2]) -> String {
         .filter_map(|s| Some((s.order.parting.as_ref()?.time(), s)));
     let first = parted.min_by(|a, b| a.0.total_cmp(&b.0));
     match first.and_then(|(_, standing)| standing.cause.as_ref()) {
-        Some(Cause::Resolution { .. }) => {
-            "hits fall closer together than a step resolves".to_owned()
-        }
+        Some(
+            Cause::Resolution { .. }
+            | Cause::Contact {
+                interval: Some(_), ..
+            },
+        ) => "hits fall closer together than a step resolves".to_owned(),
         Some(Cause::Setting { what, .. }) => format!("{what} decides a hit"),
         Some(Cause::Contact { .. }) => "a contact that lasts takes hits in steps".to_owned(),
         Some(Cause::Open { .. }) | None => "no single setting explains it".to_owned(),

@@ -92,6 +92,12 @@ impl EventKind {
         }
     }
 
+    /// The balls involved, one after the other.
+    pub fn each_ball(self) -> impl Iterator<Item = usize> {
+        let (a, b) = self.balls();
+        [Some(a), b].into_iter().flatten()
+    }
+
     /// True when both events involve a common ball.
     pub fn shares_ball(self, other: EventKind) -> bool {
         let ((a, b), (c, d)) = (self.balls(), other.balls());

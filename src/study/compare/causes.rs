@@ -71,6 +71,9 @@ impl Cause {
                     describe_span(*interval),
                     describe_span(*resolution)
                 ),
+                None if begin == end => format!(
+                    "impacts of {name} shrink to nothing at {begin:.4} s, where the two part"
+                ),
                 None => format!(
                     "{name} is in contact from {begin:.4} s to {end:.4} s, which takes no hits"
                 ),

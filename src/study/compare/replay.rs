@@ -317,7 +317,7 @@ fn partings(
         let (trace, other) = (ours.trace()?, theirs.trace()?);
         let mut balls: Vec<String> = Vec::new();
         for event in [parting.event, parting.reference].into_iter().flatten() {
-            for ball in involved(event.kind) {
+            for ball in event.kind.each_ball() {
                 let id = &trace.balls[ball];
                 if !balls.contains(id) {
                     balls.push(id.clone());
@@ -346,11 +346,6 @@ fn partings(
     let mut partings: Vec<ReplayParting> = outcome.held().iter().filter_map(parting).collect();
     partings.sort_by(|a, b| a.time.total_cmp(&b.time));
     partings
-}
-
-fn involved(kind: EventKind) -> impl Iterator<Item = usize> {
-    let (a, b) = kind.balls();
-    [Some(a), b].into_iter().flatten()
 }
 
 /// Distances over time: of all from the reference, or without one of all from the engine that stands in its place in the first pair.

@@ -331,12 +331,9 @@ pub fn order(e: &Evidence<'_>) -> Option<Judgement> {
     } else {
         Verdict::Breaks
     };
-    let place = found.event.map(|event| {
-        let (a, b) = event.kind.balls();
-        FoundAt {
-            time: event.time,
-            balls: [Some(a), b].into_iter().flatten().collect(),
-        }
+    let place = found.event.map(|event| FoundAt {
+        time: event.time,
+        balls: event.kind.each_ball().collect(),
     });
     let all = comparison.order.reference_collisions;
     let place_in_order = match (parting.agree < all, all) {
