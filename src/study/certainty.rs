@@ -66,10 +66,15 @@ pub fn growth(scene: &Scene, horizon: &Horizon, growth: &Growth) -> Option<Figur
     })
 }
 
+/// The events, by index, but for impacts that shrink to a contact and are of no account among themselves.
+fn of_account(horizon: &Horizon) -> impl Iterator<Item = (usize, &Sight)> {
+    let sights = horizon.sights.iter().enumerate();
+    sights.filter(|(_, sight)| !sight.shrinks)
+}
+
 /// The margin of each event against the error of its time: where an error reaches its margin, the order is no longer certain.
 pub fn margins(scene: &Scene, horizon: &Horizon) -> Option<Figure> {
-    let told = |(_, sight): &(usize, &Sight)| !sight.shrinks;
-    let sights = || horizon.sights.iter().enumerate().filter(told);
+    let sights = || of_account(horizon);
     let of = |name: &str, style: Style, points: Vec<[f64; 2]>| Series {
         name: name.to_owned(),
         points,
@@ -102,7 +107,8 @@ pub fn margins(scene: &Scene, horizon: &Horizon) -> Option<Figure> {
         id: format!("margins-{}", scene.name),
         title: "How sure the place of each event is".to_owned(),
         caption: format!(
-            "An event keeps its place while its margin is above the error of its time. Seen: difference of {} from {}. Zeros are left out.",
+            "An event keeps its place while its margin is above the error of its time. Seen: difference of {} from {}. Zeros are left out, and \
+             impacts that shrink to a contact.",
             horizon.precision.id(),
             horizon.witness.id()
         ),
@@ -118,8 +124,7 @@ pub fn margins(scene: &Scene, horizon: &Horizon) -> Option<Figure> {
 /// How far the two precisions are apart, against what growth makes of one rounding.
 pub fn apart(scene: &Scene, horizon: &Horizon, growth: Option<&Growth>) -> Option<Figure> {
     let number = |index: usize| (index + 1) as f64;
-    let sights = horizon.sights.iter().enumerate();
-    let apart: Vec<_> = sights
+    let apart: Vec<_> = of_account(horizon)
         .filter_map(|(i, sight)| Some([number(i), sight.apart.filter(|x| *x > 0.0)?]))
         .collect();
     if apart.len() < 2 {
