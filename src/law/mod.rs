@@ -25,7 +25,7 @@ pub mod scaling;
 pub mod time_reversal;
 
 pub use image::Image;
-pub use run::{Reach, Run};
+pub use run::{Reach, Run, amplified};
 
 use crate::math::within;
 use crate::physics::invariants::Invariant;

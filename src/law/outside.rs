@@ -35,9 +35,10 @@ pub fn applies(scene: &Scene) -> bool {
 /// How far ball `ball` may be outside, length.
 ///
 /// Rounding, and `|v| h`: a step moves a ball after it has looked at the cushions. `|v|` is the largest speed of the ball at any knot. An
-/// engine that solves for its events has `h = 0`.
+/// engine that solves for its events has `h = 0`; a ball that it holds at a cushion drifts by what its knots leave unexplained.
 pub fn bound(reach: &Reach, ball: usize) -> f64 {
-    reach.and(reach.step.get(ball).copied().unwrap_or(0.0))
+    let of = |each: &[f64]| each.get(ball).copied().unwrap_or(0.0);
+    reach.and(of(&reach.step) + of(&reach.contact))
 }
 
 /// Tells every ball, time, s, and how far its centre is outside, length, negative within: by the trace's own account where it has one, and

@@ -54,14 +54,16 @@ pub fn of_a_group(run: &Run<'_>, pair: f64) -> f64 {
 /// What the steps that the engine counted in contact explain of balls `a` and `b`, length: rounding, and `n (|v1| + |v2|) h`.
 ///
 /// Twice that where there are cushions, which put a ball back by what it went too far and let it move on in the same step. `more`: steps
-/// besides those counted; [`AT_KNOTS`] where a trace is looked at between its steps.
+/// besides those counted; [`AT_KNOTS`] where a trace is looked at between its steps. Balls that were held in contact drift by what their knots leave
+/// unexplained.
 pub fn in_contact(run: &Run<'_>, reach: &Reach, [a, b]: [usize; 2], more: f64) -> f64 {
     let moves = match run.scene.effects.cushion {
         Some(_) => 2.0,
         None => 1.0,
     };
     let closing = moves * (reach.step[a] + reach.step[b]);
-    reach.and((run.contact_steps() + more) * closing)
+    let drift = reach.contact[a] + reach.contact[b];
+    reach.and((run.contact_steps() + more) * closing + drift)
 }
 
 /// Parry is asked at knots, between which a stepped path is not quite the cubic through them: half a step more for each ball.

@@ -1,8 +1,8 @@
 //! A run that is held, and what its trace says of the scheme that made it. The only place of this room where work counters are read.
 
 use crate::math::worse;
-use crate::scene::Scene;
-use crate::trace::{Counter, Trace};
+use crate::scene::{Scene, Simultaneous};
+use crate::trace::{Contacts, Counter, Trace, UNEXPLAINED_IN_CONTACT};
 
 /// A run that is held.
 #[derive(Clone, Copy, Debug)]
@@ -87,11 +87,13 @@ impl<'a> Run<'a> {
     }
 
     /// How far balls are moved where a contact begins, length: a gap that counts as none is closed, and in a row of balls those add up. What an approach that
-    /// is nothing leaves of a gap is no more than a few times what counts as touching.
+    /// is nothing leaves of a gap is no more than a few times what counts as touching, or what rounding leaves open of the places that balls can get to.
     pub fn closed(&self) -> f64 {
         const LEFT: f64 = 4.0;
         if self.trace.follows_contacts() {
-            LEFT * self.scene.touching() * self.scene.balls.len() as f64
+            // four roundings of a coordinate
+            let blur = 4.0 * f64::EPSILON * self.scene.farthest_coordinate();
+            LEFT * self.scene.touching().max(blur) * self.scene.balls.len() as f64
         } else {
             0.0
         }
@@ -100,10 +102,30 @@ impl<'a> Run<'a> {
     /// How far rounding and a step carry balls: computed once for the bounds that are made of it.
     pub fn reach(&self) -> Reach {
         let step = (0..self.trace.paths.len()).map(|ball| self.fastest_of(ball) * self.step());
+        let contacts = Contacts::of(self.trace);
+        let balls = self.scene.balls.iter().enumerate();
+        let contact = balls.map(|(ball, b)| {
+            let ever = contacts.during(ball, [0.0, f64::INFINITY]);
+            if ever {
+                UNEXPLAINED_IN_CONTACT * b.radius
+            } else {
+                0.0
+            }
+        });
         Reach {
             rounding: self.rounding(self.trace.end_time),
             step: step.collect(),
+            contact: contact.collect(),
         }
+    }
+}
+
+/// By how much a convention of simultaneous impacts amplifies rounding: it reflects velocities times the roots of the masses, so that what rounds the speed of
+/// the heaviest ball is that much more of the lightest.
+pub fn amplified(scene: &Scene) -> f64 {
+    match scene.simultaneous {
+        Simultaneous::GeneralizedReflections => scene.mass_ratio().sqrt(),
+        Simultaneous::Refuse | Simultaneous::Ensemble => 1.0,
     }
 }
 
@@ -114,6 +136,8 @@ pub struct Reach {
     pub rounding: f64,
     /// Largest speed of each ball times the step, length.
     pub step: Vec<f64>,
+    /// How far each ball may drift while it is held in contact, length; 0 for one that never is.
+    pub contact: Vec<f64>,
 }
 
 impl Reach {

@@ -8,6 +8,7 @@
 
 use super::Real;
 use super::linear::Factors;
+use std::ops::Range;
 
 /// A value on a tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,12 +44,29 @@ struct System<T> {
     first: usize,
 }
 
+impl<T: Real> System<T> {
+    /// The unknowns for this right side.
+    fn solved(&self, mut right: Vec<T>) -> Vec<T> {
+        match &self.factors {
+            Some(factors) => factors.solve(&mut right),
+            None => right.fill(T::lift(f64::NAN)),
+        }
+        right
+    }
+}
+
 /// A right-hand side and the series of everything in it.
 #[derive(Clone, Debug, Default)]
 pub struct Tape<T> {
     operations: Vec<Operation<T>>,
-    /// Coefficients of each node, by order.
-    series: Vec<Vec<T>>,
+    /// Of each node, its value at time 0.
+    values: Vec<T>,
+    /// Coefficients of each node, by order, one node after the other, once they have been asked for.
+    table: Vec<T>,
+    /// Coefficients of a node in the table.
+    orders: usize,
+    /// Of each node, the highest order so far whose coefficient is not nothing.
+    highest: Vec<usize>,
     systems: Vec<System<T>>,
 }
 
@@ -57,30 +75,44 @@ impl<T: Real> Tape<T> {
     pub fn new() -> Self {
         Tape {
             operations: Vec::new(),
-            series: Vec::new(),
+            values: Vec::new(),
+            table: Vec::new(),
+            orders: 0,
+            highest: Vec::new(),
             systems: Vec::new(),
         }
     }
 
-    fn add(&mut self, operation: Operation<T>, value: Vec<T>) -> Node {
+    fn given(&mut self, operation: Operation<T>, value: T) -> Node {
         self.operations.push(operation);
-        self.series.push(value);
-        let node = Node(self.operations.len() - 1);
-        if self.series[node.0].is_empty() {
-            let first = self.coefficient(node.0, 0);
-            self.series[node.0].push(first);
-        }
-        node
+        self.values.push(value);
+        Node(self.operations.len() - 1)
+    }
+
+    fn add(&mut self, operation: Operation<T>) -> Node {
+        let of = |node: Node| self.values[node.0];
+        let value = match operation {
+            Operation::Constant | Operation::Input(_) | Operation::Unknown(..) => T::zero(),
+            Operation::Sum(a, b) => of(a) + of(b),
+            Operation::Difference(a, b) => of(a) - of(b),
+            // as the sum that every other order is
+            Operation::Product(a, b) => T::zero() + of(a) * of(b),
+            Operation::Quotient(a, b) => of(a) / of(b),
+            Operation::Multiple(a, factor) => of(a) * factor,
+            Operation::Root(a) => of(a).sqrt(),
+            Operation::Exponential(a) => of(a).exp(),
+        };
+        self.given(operation, value)
     }
 
     /// A value at time 0; what it does later is said by [`Tape::derive`].
     pub fn input(&mut self, value: T) -> Node {
-        self.add(Operation::Input(None), vec![value])
+        self.given(Operation::Input(None), value)
     }
 
     /// A number that does not change. What is made of such numbers only does not change either, and what is nothing leaves no operation behind.
     pub fn constant(&mut self, value: T) -> Node {
-        self.add(Operation::Constant, vec![value])
+        self.given(Operation::Constant, value)
     }
 
     /// The number, if a node is one that does not change.
@@ -105,7 +137,7 @@ impl<T: Real> Tape<T> {
             (Some(a), Some(b)) => self.constant(a + b),
             _ if self.is_nothing(a) => b,
             _ if self.is_nothing(b) => a,
-            _ => self.add(Operation::Sum(a, b), Vec::new()),
+            _ => self.add(Operation::Sum(a, b)),
         }
     }
 
@@ -115,7 +147,7 @@ impl<T: Real> Tape<T> {
             (Some(a), Some(b)) => self.constant(a - b),
             _ if self.is_nothing(a) => self.multiple(b, -T::one()),
             _ if self.is_nothing(b) => a,
-            _ => self.add(Operation::Difference(a, b), Vec::new()),
+            _ => self.add(Operation::Difference(a, b)),
         }
     }
 
@@ -124,7 +156,7 @@ impl<T: Real> Tape<T> {
         match (self.number(a), self.number(b)) {
             (Some(a), _) => self.multiple(b, a),
             (_, Some(b)) => self.multiple(a, b),
-            _ => self.add(Operation::Product(a, b), Vec::new()),
+            _ => self.add(Operation::Product(a, b)),
         }
     }
 
@@ -133,7 +165,7 @@ impl<T: Real> Tape<T> {
         match (self.number(a), self.number(b)) {
             (Some(a), Some(b)) => self.constant(a / b),
             _ if self.is_nothing(a) => a,
-            _ => self.add(Operation::Quotient(a, b), Vec::new()),
+            _ => self.add(Operation::Quotient(a, b)),
         }
     }
 
@@ -142,7 +174,7 @@ impl<T: Real> Tape<T> {
         match self.number(a) {
             Some(a) => self.constant(a * factor),
             _ if factor.is_nothing() => self.constant(factor),
-            _ => self.add(Operation::Multiple(a, factor), Vec::new()),
+            _ => self.add(Operation::Multiple(a, factor)),
         }
     }
 
@@ -150,13 +182,13 @@ impl<T: Real> Tape<T> {
     pub fn root(&mut self, a: Node) -> Node {
         match self.number(a) {
             Some(a) => self.constant(a.sqrt()),
-            None => self.add(Operation::Root(a), Vec::new()),
+            None => self.add(Operation::Root(a)),
         }
     }
 
     /// e to the power of a.
     pub fn exponential(&mut self, a: Node) -> Node {
-        self.add(Operation::Exponential(a), Vec::new())
+        self.add(Operation::Exponential(a))
     }
 
     /// What solves a linear system, whose matrix is given by rows.
@@ -175,116 +207,124 @@ impl<T: Real> Tape<T> {
             factors,
             first: self.operations.len(),
         };
-        let values = self.unknowns(&system, 0);
+        let given = system.right.iter().map(|node| self.value(*node));
+        let values = system.solved(given.collect());
         self.systems.push(system);
         let place = self.systems.len() - 1;
         let unknowns = values.into_iter().enumerate();
         unknowns
-            .map(|(i, value)| self.add(Operation::Unknown(place, i), vec![value]))
+            .map(|(i, value)| self.given(Operation::Unknown(place, i), value))
             .collect()
     }
 
     /// The coefficients of order `k` of the unknowns of a system, all of whose lower ones are known.
     fn unknowns(&self, system: &System<T>, k: usize) -> Vec<T> {
-        let Some(factors) = &system.factors else {
-            return vec![T::lift(f64::NAN); system.right.len()];
-        };
         let left = system.rows.iter().zip(&system.right).map(|(row, right)| {
-            let mut left = self.series[right.0][k];
+            let mut left = self.row(right.0)[k];
             for (i, node) in row {
-                let matrix = self.series[node.0].iter().enumerate();
-                for (j, entry) in matrix.skip(1).take(k) {
-                    left -= *entry * self.series[system.first + i][k - j];
+                let (entries, unknown) = (self.row(node.0), self.row(system.first + i));
+                for j in self.both(*node, Node(system.first + i), 1..k + 1, k) {
+                    left -= entries[j] * unknown[k - j];
                 }
             }
             left
         });
-        let mut left: Vec<T> = left.collect();
-        factors.solve(&mut left);
-        left
+        system.solved(left.collect())
     }
 
     /// The value of a node at time 0.
     pub fn value(&self, node: Node) -> T {
-        self.series[node.0][0]
+        self.values[node.0]
     }
 
-    /// The coefficients of a node that are known, from order 0 on.
+    /// The coefficients of a node, from order 0 on; none before they have been asked for.
     pub fn series(&self, node: Node) -> &[T] {
-        &self.series[node.0]
+        self.row(node.0)
     }
 
-    /// Extends every series to order `most`, by powers of the time in `unit`s, s; the same unit whenever it is extended. With one near the
+    fn row(&self, node: usize) -> &[T] {
+        &self.table[node * self.orders..][..self.orders]
+    }
+
+    /// Of these orders those for which neither the coefficient of `a` nor that of `b`, of what is left up to `k`, is known to be nothing.
+    fn both(&self, a: Node, b: Node, orders: Range<usize>, k: usize) -> Range<usize> {
+        let from = k.saturating_sub(self.highest[b.0]);
+        orders.start.max(from)..orders.end.min(self.highest[a.0] + 1)
+    }
+
+    /// Finds every series to order `most`, by powers of the time in `unit`s, s. With one near the
     /// time in which things change, coefficients of any order stay within the range of numbers.
-    pub fn extend(&mut self, most: usize, unit: T) {
-        let first = self.series.iter().map(Vec::len).min().unwrap_or(0);
-        for order in first..=most {
+    pub fn solve(&mut self, most: usize, unit: T) {
+        let nodes = self.operations.len();
+        self.orders = most + 1;
+        self.table.clear();
+        self.table.resize(nodes * self.orders, T::zero());
+        for (node, value) in self.values.iter().enumerate() {
+            self.table[node * self.orders] = *value;
+        }
+        self.highest.clear();
+        self.highest.resize(nodes, 0);
+        for order in 1..=most {
             // an input follows from its rate one order below, which is known for all nodes
-            for node in 0..self.operations.len() {
-                if let Operation::Input(rate) = self.operations[node]
-                    && self.series[node].len() == order
-                {
-                    let next = rate.map_or(T::zero(), |rate| {
-                        self.series[rate.0][order - 1] * unit / T::lift(order as f64)
-                    });
-                    self.series[node].push(next);
+            for node in 0..nodes {
+                if let Operation::Input(Some(rate)) = self.operations[node] {
+                    let rate = self.row(rate.0)[order - 1];
+                    self.put(node, order, rate * unit / T::lift(order as f64));
                 }
             }
-            for node in 0..self.operations.len() {
-                if self.series[node].len() != order {
-                    continue;
-                }
-                if let Operation::Unknown(system, 0) = self.operations[node] {
-                    for (i, next) in self
-                        .unknowns(&self.systems[system], order)
-                        .into_iter()
-                        .enumerate()
-                    {
-                        self.series[node + i].push(next);
+            for node in 0..nodes {
+                match self.operations[node] {
+                    Operation::Constant | Operation::Input(_) => {}
+                    Operation::Unknown(system, 0) => {
+                        let found = self.unknowns(&self.systems[system], order);
+                        for (i, next) in found.into_iter().enumerate() {
+                            self.put(node + i, order, next);
+                        }
                     }
-                } else {
-                    let next = self.coefficient(node, order);
-                    self.series[node].push(next);
+                    // with the first of its system
+                    Operation::Unknown(..) => {}
+                    operation => {
+                        let next = self.coefficient(node, operation, order);
+                        self.put(node, order, next);
+                    }
                 }
             }
         }
     }
 
-    /// The coefficient of order `k` of an operation, all of whose operands know theirs.
-    fn coefficient(&self, node: usize, k: usize) -> T {
-        let of = |node: Node| &self.series[node.0];
-        let convolved = |a: &[T], b: &[T], orders: std::ops::Range<usize>| {
+    fn put(&mut self, node: usize, order: usize, coefficient: T) {
+        self.table[node * self.orders + order] = coefficient;
+        if !coefficient.is_nothing() {
+            self.highest[node] = order;
+        }
+    }
+
+    /// The coefficient of order `k`, at least 1, of an operation, all of whose operands know theirs.
+    fn coefficient(&self, node: usize, operation: Operation<T>, k: usize) -> T {
+        let of = |node: Node| self.row(node.0);
+        let own = self.row(node);
+        let convolved = |a: Node, b: Node, orders: Range<usize>| {
+            let (left, right) = (of(a), of(b));
             let mut sum = T::zero();
-            for j in orders {
-                sum += a[j] * b[k - j];
+            for j in self.both(a, b, orders, k) {
+                sum += left[j] * right[k - j];
             }
             sum
         };
-        match self.operations[node] {
+        match operation {
             // inputs follow from their rates, unknowns all together
             Operation::Constant | Operation::Input(_) | Operation::Unknown(..) => T::zero(),
             Operation::Sum(a, b) => of(a)[k] + of(b)[k],
             Operation::Difference(a, b) => of(a)[k] - of(b)[k],
-            Operation::Product(a, b) => convolved(of(a), of(b), 0..k + 1),
+            Operation::Product(a, b) => convolved(a, b, 0..k + 1),
             Operation::Multiple(a, factor) => of(a)[k] * factor,
-            Operation::Quotient(a, b) => {
-                let own = &self.series[node];
-                (of(a)[k] - convolved(of(b), own, 1..k + 1)) / of(b)[0]
-            }
+            Operation::Quotient(a, b) => (of(a)[k] - convolved(b, Node(node), 1..k + 1)) / of(b)[0],
             Operation::Root(a) => {
-                if k == 0 {
-                    return of(a)[0].sqrt();
-                }
-                let own = &self.series[node];
-                (of(a)[k] - convolved(own, own, 1..k)) / (own[0] + own[0])
+                (of(a)[k] - convolved(Node(node), Node(node), 1..k)) / (own[0] + own[0])
             }
             Operation::Exponential(a) => {
-                if k == 0 {
-                    return of(a)[0].exp();
-                }
-                let own = &self.series[node];
                 let mut sum = T::zero();
-                for j in 1..=k {
+                for j in self.both(a, Node(node), 1..k + 1, k) {
                     sum += T::lift(j as f64) * of(a)[j] * own[k - j];
                 }
                 sum / T::lift(k as f64)
@@ -314,13 +354,20 @@ pub fn slope_at<T: Real>(series: &[T], t: T) -> T {
 /// Coefficients that tell how far a series may be followed.
 const HIGHEST: usize = 4;
 
+/// A series whose last coefficient is smaller than this does not end there: those beyond are too small for numbers.
+const VANISHING: f64 = 1e-200;
+
 /// How far a series may be followed until what it leaves out is `part` of `size`: by the highest of its coefficients, as if those beyond went
 /// on like them; several, because some may vanish. Infinite where it ends.
 pub fn reach<T: Real>(series: &[T], size: f64, part: f64) -> f64 {
     let mut least = f64::INFINITY;
-    let highest = series.iter().enumerate().rev().take(HIGHEST);
-    for (order, coefficient) in highest {
-        let coefficient = coefficient.to_f64().abs();
+    let sizes = || series.iter().map(|c| c.to_f64().abs()).enumerate().rev();
+    let last = sizes().find(|(_, size)| *size > 0.0);
+    let beyond = match last {
+        Some((order, size)) if size < VANISHING => series.len() - 1 - order,
+        _ => 0,
+    };
+    for (order, coefficient) in sizes().skip(beyond).take(HIGHEST) {
         if order > 0 && coefficient > 0.0 {
             // in logarithms: the coefficient may be beyond the range of what it is divided by
             let ratio = (part.ln() + size.ln() - coefficient.ln()) / order as f64;
@@ -344,7 +391,7 @@ mod tests {
         let back = tape.multiple(x, DoubleDouble::lift(-1.0));
         tape.derive(x, v);
         tape.derive(v, back);
-        tape.extend(30, DoubleDouble::lift(1.0));
+        tape.solve(30, DoubleDouble::lift(1.0));
         let t = DoubleDouble::lift(0.5);
         let (sine, cosine) = (at(tape.series(x), t), at(tape.series(v), t));
         let one = sine * sine + cosine * cosine;
@@ -364,7 +411,7 @@ mod tests {
         let y = tape.sum(one, t);
         let (r, q) = (tape.root(y), tape.quotient(t, y));
         let z = tape.exponential(q);
-        tape.extend(60, Octuple::lift(1.0));
+        tape.solve(60, Octuple::lift(1.0));
         let h = Octuple::lift(0.03125);
         let (y, r, q, z) = (
             at(tape.series(y), h),
@@ -389,7 +436,7 @@ mod tests {
         let (up, minus) = (tape.sum(one, t), tape.constant(number(-1.0)));
         let power = tape.exponential(t);
         let found = tape.solution(&[vec![up, t], vec![two, minus]], &[one, power]);
-        tape.extend(40, number(1.0));
+        tape.solve(40, number(1.0));
         let h = number(0.015625);
         let [a, b] = [0, 1].map(|i| at(tape.series(found[i]), h));
         let first = (number(1.0) + h) * a + h * b - number(1.0);
@@ -400,6 +447,22 @@ mod tests {
     }
 
     #[test]
+    fn a_series_too_small_for_numbers_does_not_end() {
+        // sine by powers of 1e-57 s: its coefficients leave the range of numbers after the fifth order
+        let mut tape = Tape::<f64>::new();
+        let (x, v) = (tape.input(0.0), tape.input(1.0));
+        let back = tape.multiple(x, -1.0);
+        tape.derive(x, v);
+        tape.derive(v, back);
+        tape.solve(14, 1e-57);
+        let sine = tape.series(x);
+        let far = reach(sine, 1.0, 1e-12);
+        assert!(far > 1e-4 / 1e-57, "{far:e}");
+        let error = (at(sine, far) - (far * 1e-57).sin()).abs();
+        assert!(error < 1e-12, "{error:e} at {far:e}");
+    }
+
+    #[test]
     fn another_unit_of_time_gives_the_same_values() {
         // x' = x^2 from 1: 1 / (1 - t)
         let value = |unit: f64| {
@@ -407,7 +470,7 @@ mod tests {
             let x = tape.input(1.0);
             let square = tape.product(x, x);
             tape.derive(x, square);
-            tape.extend(40, unit);
+            tape.solve(40, unit);
             at(tape.series(x), 0.25 / unit)
         };
         for unit in [1.0, 0.125, 8.0] {

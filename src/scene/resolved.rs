@@ -230,6 +230,21 @@ impl Scene {
         1e-12 * self.smallest_radius() + 8.0 * f64::EPSILON * self.largest_coordinate()
     }
 
+    /// No coordinate gets larger, length: without cushions, by the longest way of the fastest ball; a cloth that turns balls lets them roll on.
+    pub fn farthest_coordinate(&self) -> f64 {
+        if self.effects.cushion.is_some() {
+            return self.largest_coordinate();
+        }
+        let fastest = self.fastest();
+        let duration = match self.effects.cloth {
+            Some(Cloth::Translational { mu }) if mu * self.gravity > 0.0 => {
+                self.duration.min(fastest / (mu * self.gravity))
+            }
+            _ => self.duration,
+        };
+        self.largest_coordinate() + fastest * duration
+    }
+
     /// No ball is ever faster, length/s: all kinetic energy in the lightest.
     pub fn fastest(&self) -> f64 {
         let masses = self.balls.iter().map(|ball| ball.mass);
@@ -256,6 +271,12 @@ impl Scene {
     /// Distance of the centres at which balls `a` and `b` touch, seen in plan, length.
     pub fn contact_distance(&self, a: usize, b: usize) -> f64 {
         plan_distance(self.balls[a].radius, self.balls[b].radius)
+    }
+
+    /// The mass of the heaviest ball in that of the lightest.
+    pub fn mass_ratio(&self) -> f64 {
+        let masses = || self.balls.iter().map(|ball| ball.mass);
+        masses().fold(0.0, f64::max) / masses().fold(f64::INFINITY, f64::min)
     }
 
     /// True when all balls have the same mass.

@@ -110,6 +110,11 @@ impl<T: Real> Agenda<T> {
     #[inline]
     pub fn due(&self, balls: &Kinematics<'_, T>) -> Due<T> {
         let (ball, next) = self.queue.first();
+        Agenda::due_to(balls, ball, next)
+    }
+
+    #[inline]
+    fn due_to(balls: &Kinematics<'_, T>, ball: usize, next: Candidate<T>) -> Due<T> {
         match next.what {
             What::Nothing => Due::Nothing,
             What::Leaving(a, side) => Due::Upkeep(next.time, Upkeep::Leaves(a as usize, side)),
@@ -127,6 +132,28 @@ impl<T: Real> Agenda<T> {
             | What::UnclearPocket(..)
             | What::End(_) => Due::Event(next.time, next.what),
         }
+    }
+
+    /// The next events of all balls, as far as they are known: their times, s, and what, the earliest first.
+    pub fn pending(&self, balls: &Kinematics<'_, T>) -> Vec<(T, What)> {
+        let each = self.queue.all().iter().enumerate();
+        let due = each.filter_map(|(ball, next)| match Agenda::due_to(balls, ball, *next) {
+            Due::Event(time, what) => Some((time, what)),
+            Due::Upkeep(..) | Due::Nothing => None,
+        });
+        let mut pending: Vec<(T, What)> = due.collect();
+        pending.sort_by(|(one, _), (other, _)| {
+            one.partial_cmp(other).unwrap_or(std::cmp::Ordering::Equal)
+        });
+        pending
+    }
+
+    /// Whether an event is the next one of a ball.
+    pub fn expects(&self, balls: &Kinematics<'_, T>, what: What) -> bool {
+        what.balls().into_iter().any(|ball| {
+            let next = self.queue.all()[ball];
+            next.what == what && matches!(Agenda::due_to(balls, ball, next), Due::Event(..))
+        })
     }
 
     /// Does what is due for the agenda itself.

@@ -53,6 +53,27 @@ struct Handover<T> {
     parting: Vec<Encounter>,
 }
 
+/// What another run expects next, to which this one goes back for what it does not see: of balls that this one lets go on as they were.
+struct Expected<T> {
+    /// Times, s, and events, the earliest last.
+    events: Vec<(T, What)>,
+    /// The count of changes of each ball's course at the start.
+    versions: Vec<u32>,
+}
+
+impl<T: Real> Expected<T> {
+    /// Whether an event of balls that have gone on as they were comes before `time`, s, and this run does not know of it.
+    fn is_missed(&mut self, time: T, balls: &Kinematics<'_, T>, agenda: &Agenda<T>) -> bool {
+        while let Some((_, what)) = self.events.pop_if(|(next, _)| *next < time) {
+            let as_they_were = |ball: &usize| balls.version(*ball) == self.versions[*ball];
+            if what.balls().iter().all(as_they_were) && !agenda.expects(balls, what) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
 /// The same ball in another scalar, with what its mode makes of velocity and spin.
 fn in_scalar<T: Real, U: Real>(world: &World<U>, m: &Member<T>) -> Member<U> {
     let moving = Moving {
@@ -117,6 +138,9 @@ impl<T: Real> Loop<'_, T> {
         let world = self.balls.world();
         let patience = T::lift(CALM) * world.noise() / world.strongest();
         let closed = self.closed(&what.balls());
+        let mut events = self.agenda.pending(&self.balls);
+        events.retain(|(_, expected)| *expected != what);
+        events.reverse();
         let given = self.hand_over();
         let from = Coarser {
             ulp: T::ULP,
@@ -132,7 +156,13 @@ impl<T: Real> Loop<'_, T> {
         take_up(&mut balls, &given, &closed);
         let nothing = balls.world().none;
         let most = nothing * T::Finer::lift(1.0 / NONE);
-        let before: Vec<u32> = (0..balls.count()).map(|ball| balls.version(ball)).collect();
+        let versions = (0..balls.count()).map(|ball| balls.version(ball));
+        let mut expected = Expected {
+            events: (events.into_iter())
+                .map(|(time, what)| (time.widen(), what))
+                .collect(),
+            versions: versions.collect(),
+        };
         if let Some(derived) = &mut derived {
             derived.look_at(&balls);
         }
@@ -148,9 +178,9 @@ impl<T: Real> Loop<'_, T> {
             balls,
             journal: self.journal.handed_over(),
         };
-        let (events, mut ending) = fine.until_calm(from.longest, most, limits);
+        let (events, mut ending) = fine.until_calm(from.longest, most, &mut expected, limits);
         let mut taken = fine.hand_over();
-        let changed = |ball: usize| fine.balls.version(ball) != before[ball];
+        let changed = |ball: usize| fine.balls.version(ball) != expected.versions[ball];
         taken.balls.retain(|m| changed(m.ball));
         let mut coarse = Loop {
             journal: fine.journal.handed_over(),
@@ -240,9 +270,15 @@ impl<T: Real> Loop<'_, T> {
         found
     }
 
-    /// Runs until nothing slow happens for `patience`, s, taking more and more of an approach for nothing, up to `most`, length/s; answers how many events that
-    /// took, and whether they end the run.
-    fn until_calm(&mut self, patience: T, most: T, limits: &Limits<'_>) -> (u32, Option<Ending>) {
+    /// Runs until nothing slow happens for `patience`, s, or something `expected` is missed, taking more and more of an approach for nothing, up to `most`, length/s;
+    /// answers how many events that took, and whether they end the run.
+    fn until_calm(
+        &mut self,
+        patience: T,
+        most: T,
+        expected: &mut Expected<T>,
+        limits: &Limits<'_>,
+    ) -> (u32, Option<Ending>) {
         let mut since = self.balls.now();
         let mut events = 0;
         loop {
@@ -256,6 +292,9 @@ impl<T: Real> Loop<'_, T> {
                 Due::Upkeep(time, upkeep) => {
                     self.balls.advance(time);
                     self.agenda.keep_up(&self.balls, upkeep);
+                }
+                Due::Event(time, _) if expected.is_missed(time, &self.balls, &self.agenda) => {
+                    return (events, None);
                 }
                 Due::Event(time, what) => {
                     let time = if T::DIFFERENTIATES {

@@ -163,6 +163,11 @@ impl<T: Real> Queue<T> {
         }
     }
 
+    /// The candidate of every ball.
+    pub fn all(&self) -> &[Candidate<T>] {
+        &self.candidates
+    }
+
     /// The ball with the earliest candidate, and that candidate.
     #[inline]
     pub fn first(&self) -> (usize, Candidate<T>) {

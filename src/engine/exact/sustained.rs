@@ -2,7 +2,7 @@
 
 use super::cluster_impact::ClusterImpact;
 use super::contact::decide::{Undetermined, decide, member, member_as_is, tidy};
-use super::contact::group::{Change, Hold, Member, Mode, Touch, Twist, loudest};
+use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist, loudest};
 use super::contact::held::Held;
 use super::contact::touching::{
     Gathered, Steady, Touched, calm, components, keep_contacts, rate, slowest, touching,
@@ -67,8 +67,12 @@ impl<T: Real> Loop<'_, T> {
                 let why = "the motion of balls in contact turns within ever shorter times";
                 return Some(Ending::Collapsed(self.balls.spot(&balls, why)));
             }
+            let arc = stretch(&self.balls, &group);
+            if !arc.is_told() {
+                return Some(self.untold(&group));
+            }
             self.hold(Held {
-                arc: stretch(&self.balls, &group),
+                arc,
                 group,
                 start: self.balls.now(),
                 stuck: held.stuck,
@@ -105,6 +109,18 @@ impl<T: Real> Loop<'_, T> {
             held: encounters,
         };
         self.go_on(gathered, &gone, &changes, stuck)
+    }
+
+    /// The end of a run whose balls in contact no series tells: they are left where and as they are.
+    #[cold]
+    fn untold(&mut self, group: &Group<T>) -> Ending {
+        for m in &group.members {
+            let course = self.balls.course(m.ball, m.moving);
+            self.balls.set_off(m.ball, &course);
+        }
+        let balls: Vec<usize> = group.members.iter().map(|m| m.ball).collect();
+        let why = "the motion of balls in contact turns within a time that no number holds";
+        Ending::Collapsed(self.balls.spot(&balls, why))
     }
 
     /// What a member does whose slip has ended.
@@ -170,6 +186,9 @@ impl<T: Real> Loop<'_, T> {
                 group.members = calmed;
             }
             let arc = stretch(&self.balls, &group);
+            if !arc.is_told() {
+                return Some(self.untold(&group));
+            }
             self.balls.hold(Held {
                 arc,
                 group,

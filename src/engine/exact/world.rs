@@ -81,6 +81,9 @@ pub struct Coarser<T> {
     pub longest: T,
 }
 
+/// No part of the fastest speed is told below this.
+const FAINT: f64 = 1e-130;
+
 /// An approach is nothing to a run if it is no more than this part of what rounding makes of one.
 pub const NONE: f64 = 1e-4;
 
@@ -105,18 +108,7 @@ impl<T: Real> World<T> {
         let fastest = scene.fastest();
         let effects = scene.effects.lift();
         let ground = Ground::new(&effects, lift(scene.gravity));
-        let travel = match ground {
-            Ground::Coulomb(deceleration) => {
-                let duration = fastest / deceleration.to_f64();
-                fastest * duration.min(scene.duration)
-            }
-            Ground::Frictionless => fastest * scene.duration,
-        };
-        let extent = if bounded {
-            scene.largest_coordinate()
-        } else {
-            scene.largest_coordinate() + travel
-        };
+        let extent = scene.farthest_coordinate();
         let largest = radius.iter().copied().fold(T::zero(), T::at_least);
         World {
             within_all_reach: reach(largest).filter(|_| bounded),
@@ -219,6 +211,11 @@ impl<T: Real> World<T> {
     /// What rounding makes of the rate of a gap between parties of this speed: that of the normal, too, which the places give.
     pub fn grain_of_rate(&self, speed: T, distance: T) -> T {
         self.grain(speed) + speed * (self.blur.length / distance)
+    }
+
+    /// A speed that moves nobody by anything that any of the scalars can tell, and whose square is still a number, length/s.
+    pub fn faint(&self) -> T {
+        self.fastest * T::lift(T::ULP.powi(4).max(FAINT))
     }
 
     /// A slip or a speed that turns while it ends, in contact, of balls of this speed is over when it is no more than this, length/s.

@@ -279,6 +279,10 @@ impl ClothStep for Rotational {
         for i in 0..balls.len() {
             let (motion, radius) = (balls.motion(i), balls.radius[i]);
             if motion.velocity == Vec3::zeros() && motion.spin == Vec3::zeros() {
+                // the last step of a slide took the whole of both: it has ended
+                if balls.slides(i) {
+                    ending.push(i);
+                }
                 continue;
             }
             match self.moved(&motion, radius, balls.slides(i)) {

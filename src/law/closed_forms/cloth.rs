@@ -159,7 +159,7 @@ impl Audit<'_> {
         let late = Off {
             what: "cloth-phase",
             off: (lost - size).max(0.0),
-            allowed: self.grain * made + 3.5 * rates.slide * self.blur(piece) + NONE,
+            allowed: self.grown(h) * made + 3.5 * rates.slide * self.blur(piece) + NONE,
         };
         let [velocity, place, spin] = self.figures(piece, push, turn);
         [velocity, place, spin, late]
@@ -204,7 +204,12 @@ impl Audit<'_> {
         let surface = w0.norm() * piece.radius;
         let speeds = v0.norm() + surface + pull * h;
         // within a step a slide may end and a roll begin
-        let most = if self.step > 0.0 { self.pull() } else { pull };
+        let most = if self.step > 0.0 {
+            let rates = self.rates();
+            rates.slide + rates.roll
+        } else {
+            pull
+        };
         let velocity = Off {
             what: "cloth-velocity",
             off: (v1 - v0 - push * h).norm(),
@@ -290,8 +295,8 @@ impl Audit<'_> {
         let before = knots.partition_point(|knot| knot.time < jump.time);
         let from = before.checked_sub(1).and_then(|at| knots.get(at));
         let of = |state: &State| state.velocity.norm() + radius * state.spin.norm();
-        let from = from.map_or(0.0, |knot| of(&knot.state));
-        self.grain * (from + of(&jump.near))
+        let (since, speed) = from.map_or((jump.time, 0.0), |knot| (knot.time, of(&knot.state)));
+        self.grown(jump.time - since) * (speed + of(&jump.near))
     }
 }
 

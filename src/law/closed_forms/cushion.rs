@@ -99,7 +99,8 @@ impl Audit<'_> {
         let mut other = far.velocity - near.velocity;
         other.x = 0.0;
         let off = other.norm() + (far.surface - near.surface).norm();
-        if let Some(off) = self.off(Part::Impact, off, self.chain()) {
+        let told = self.grain * self.loudest_at(ball, jump.time);
+        if let Some(off) = self.off(Part::Impact, off, told + self.chain()) {
             let words = self.against("several at once", ball, side, jump);
             self.fault("cushion-friction", format!("{words}, {off}"));
         }
@@ -203,7 +204,7 @@ impl Audit<'_> {
         let along = turned.x + (1.0 + sin) * turned.z / cos;
         let off = (far.velocity.y - near.velocity.y - along).abs();
         // the integration states an error of some 1e-12 a step, and takes some hundred
-        let allowed = INTEGRATION * size / cos;
+        let allowed = INTEGRATION * size / cos + NONE;
         if let Some(off) = self.off(Part::Impact, off, allowed) {
             let words = self.against(law, ball, side, jump);
             let words = format!("{words}: spin and speed along it do not fit, {off}");

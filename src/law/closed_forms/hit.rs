@@ -3,6 +3,7 @@
 use super::{Audit, Jump, Part, TOGETHER, left, plan};
 use crate::math::Vec3;
 use crate::physics::{Contact, Friction};
+use crate::scene::Simultaneous;
 use nalgebra::Vector2;
 
 /// One ball of a meeting.
@@ -113,6 +114,12 @@ impl Audit<'_> {
         };
         let grain = self.grain + turned;
         let t = left(n);
+        let told = grain * (v1.norm() + v2.norm()) + super::NONE;
+        let error = match self.scene.simultaneous {
+            // reflects all that touch together, in velocities times the roots of the masses: what rounds that of a heavy ball is more of a light one
+            Simultaneous::GeneralizedReflections => told + self.chain(),
+            Simultaneous::Refuse | Simultaneous::Ensemble => told,
+        };
         Meeting {
             parties,
             closing: difference.dot(&n),
@@ -120,7 +127,7 @@ impl Audit<'_> {
             n,
             t,
             grain,
-            error: grain * (v1.norm() + v2.norm()) + super::NONE,
+            error,
             e,
             law,
             together,
@@ -169,7 +176,8 @@ impl Audit<'_> {
         let mut across = allowed + share * rub.error;
         if *together {
             // all impulses of an instant between two balls are one: what it leaves may be faster than any ball will be
-            allowed = told + self.chain();
+            let loudest = self.loudest_at(party.ball, party.jump.time);
+            allowed = told.max(grain * loudest) + self.chain();
             across = allowed;
         } else {
             let want = party.sign * (1.0 + e) * share * closing;

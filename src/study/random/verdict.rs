@@ -78,9 +78,11 @@ fn check_energy(scene: &Scene, trace: &Trace, verdict: &mut Verdict) {
     } else {
         f64::INFINITY
     };
-    if !within(verdict.energy, energy::ABOVE_START) {
+    let allowed = energy::above_start(scene, trace.end_time);
+    if !within(verdict.energy, allowed) {
         let gained = verdict.energy;
-        let words = format!("{gained:e} of the {start:e} at the start, at {when:e} s");
+        let words =
+            format!("{gained:e} of the {start:e} at the start, at {when:e} s, allowed {allowed:e}");
         verdict.faults.push(Fault::new("energy", words));
     }
 }

@@ -185,10 +185,16 @@ impl<T: Real> Arc<T> {
             .iter()
             .map(|monitor| (monitor.change, tape.series(monitor.node)))
             .collect();
-        let (mut length, mut changes) = first_change(&watched, length);
-        let falls = !changes.is_empty();
         // what the cloth ends within a tick is over, too
         let none = world.over(loudest).at_least(world.strongest() * tick);
+        let (mut length, mut changes) = first_change(&watched, length);
+        while let Some(series) = misleads(world, group, &equations, &changes, length, none) {
+            let size = at(series, T::zero()).to_f64();
+            let believed = T::lift(reach(series, size, part));
+            let shorter = believed.at_most(length * T::lift(0.5));
+            (length, changes) = first_change(&watched, shorter);
+        }
+        let falls = !changes.is_empty();
         for change in over(&watched, length, none) {
             if !changes.contains(&change) {
                 changes.push(change);
@@ -225,6 +231,15 @@ impl<T: Real> Arc<T> {
             length: length * unit,
             changes,
         }
+    }
+
+    /// Whether it is made of numbers: a speed that turns within a time which no number holds is not.
+    pub fn is_told(&self) -> bool {
+        let told = |series: &Series<T>| {
+            let mut each = series.velocity.iter().chain(&series.spin).flatten();
+            each.all(|c| c.is_finite())
+        };
+        self.length.is_finite() && self.series.iter().all(told)
     }
 
     /// Goes on with derivatives where their series end before the stretch does. What moves along a line has series that end by themselves, up to where its
@@ -330,7 +345,7 @@ fn solved<T: Real>(world: &World<T>, group: &Group<T>, most: T) -> (Equations<T>
         let bits = bits(world, group, unit);
         equations
             .tape
-            .extend(orders(bits, (most / unit).to_f64()), unit);
+            .solve(orders(bits, (most / unit).to_f64()), unit);
         let mut nodes = equations.velocity.iter().flatten();
         let mut spins = equations.spin.iter().flatten();
         let numbers = |node: &Node| equations.tape.series(*node).iter().all(|c| c.is_finite());
@@ -395,6 +410,39 @@ fn first_change<T: Real>(watched: &[(Change, &[T])], length: T) -> (T, Vec<Chang
     let together = first * T::lift(1.0 + 1024.0 * T::ULP);
     let changes = changes.into_iter().filter(|(_, when)| *when <= together);
     (first, changes.map(|(change, _)| change).collect())
+}
+
+/// The series of a slip or a speed that falls to zero, at `length`, where the velocities and spins themselves say that more than `none` is left, length/s. The size of
+/// what passes zero at a small distance turns there, and so its series converge no farther, while what it is the size of may go on smoothly: where the cloth takes next to nothing.
+fn misleads<'a, T: Real>(
+    world: &World<T>,
+    group: &Group<T>,
+    equations: &'a Equations<T>,
+    changes: &[Change],
+    length: T,
+    none: T,
+) -> Option<&'a [T]> {
+    let tape = &equations.tape;
+    let value = |node: Node| at(tape.series(node), length);
+    let left = |change: Change| match change {
+        Change::Stops(i) => Some(equations.velocity[i].map(value)),
+        Change::Rolls(i) => {
+            let radius = world.radius[group.members[i].ball];
+            let [x, y] = equations.velocity[i].map(value);
+            let [wx, wy, _] = equations.spin[i].map(value);
+            Some([x - wy * radius, y + wx * radius])
+        }
+        _ => None,
+    };
+    let mut monitors = equations.monitors.iter();
+    let found = monitors.find(|monitor| {
+        let left = changes
+            .contains(&monitor.change)
+            .then(|| left(monitor.change));
+        left.flatten()
+            .is_some_and(|[x, y]| (x * x + y * y).sqrt() > none)
+    });
+    found.map(|monitor| tape.series(monitor.node))
 }
 
 /// How the time of changes moves with what has derivatives. Of several at one time that move apart nobody can say which comes first, unless `any` will do.

@@ -79,6 +79,7 @@ pub fn member_but_for<T: Real>(
     still: T,
 ) -> Member<T> {
     let zero = T::zero();
+    let still = still.at_least(world.faint());
     let size = |[x, y]: [T; 2]| (x * x + y * y).sqrt();
     let radius = world.radius[ball];
     let twist = match world.rotation {
@@ -133,7 +134,8 @@ pub fn resettle<T: Real>(world: &World<T>, m: &mut Member<T>, none: T) {
         m.moving.end_slip(radius);
         m.mode = Mode::Rolls;
     }
-    let stands = m.moving.velocity == [T::zero(); 2];
+    let faint = world.faint();
+    let stands = m.moving.velocity.iter().all(|v| v.abs() <= faint);
     if stands && matches!(m.mode, Mode::Rolls | Mode::Drags) {
         m.mode = Mode::Rests;
     }
@@ -230,6 +232,7 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         free,
         loose,
     } = group.system(world);
+    let scale = group.at_work(world).to_f64();
     let all = 0..group.holds.len();
     let rests = |k: &usize| group.rests(group.holds[*k].touch);
     let (held, loosened): (Vec<usize>, Vec<usize>) = all.clone().partition(rests);
@@ -237,7 +240,7 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         let part = |k: &usize| among.iter().map(|l| matrix[*k][*l]).collect();
         let matrix: Vec<Vec<T>> = among.iter().map(part).collect();
         let free: Vec<T> = among.iter().map(|k| free[*k]).collect();
-        complementary(world, &matrix, &free).map_err(|why| Undetermined {
+        complementary(world, scale, &matrix, &free).map_err(|why| Undetermined {
             contacts: among.to_vec(),
             why,
         })
@@ -250,7 +253,7 @@ fn contacts<T: Real>(world: &World<T>, group: &Group<T>) -> Result<Vec<State>, U
         force[*k] = size;
     }
     let told = states.clone();
-    tell_alongside(world, group, &mut states);
+    tell_alongside(world, scale, group, &mut states);
     let pressed: Vec<usize> = all
         .clone()
         .filter(|k| states[*k] == State::Presses)
@@ -410,15 +413,16 @@ impl<T: Real> Problem<'_, T> {
 /// Why nothing is decided where no set of contacts answers.
 const UNHELD: &str = "no forces hold the balls together, and none let them part";
 
-/// Solves a linear complementarity problem; answers the states and the forces.
+/// Solves a linear complementarity problem; answers the states and the forces. `scale`: of the accelerations at work, length/s^2.
 fn complementary<T: Real>(
     world: &World<T>,
+    scale: f64,
     matrix: &[Vec<T>],
     free: &[T],
 ) -> Result<(Vec<State>, Vec<T>), &'static str> {
-    let scale = free.iter().fold(world.strongest().to_f64(), |most, b| {
-        most.max(b.to_f64().abs())
-    });
+    let scale = free
+        .iter()
+        .fold(scale, |most, b| most.max(b.to_f64().abs()));
     let none = T::lift(CANCELLED * T::ULP * scale);
     let problem = Problem {
         matrix,
@@ -445,7 +449,7 @@ fn complementary<T: Real>(
 }
 
 /// A contact without force whose opening grows or shrinks parts or presses: what the opening itself does not tell, its rate does.
-fn tell_alongside<T: Real>(world: &World<T>, group: &Group<T>, states: &mut [State]) {
+fn tell_alongside<T: Real>(world: &World<T>, scale: f64, group: &Group<T>, states: &mut [State]) {
     if !states.contains(&State::Alongside) {
         return;
     }
@@ -462,11 +466,11 @@ fn tell_alongside<T: Real>(world: &World<T>, group: &Group<T>, states: &mut [Sta
             .collect(),
     };
     let mut equations = tried.equations(world);
-    equations.tape.extend(1, T::one());
+    equations.tape.solve(1, T::one());
     let fastest = world.fastest.to_f64().max(f64::MIN_POSITIVE);
     let span = world.widest_distance() / fastest;
     // per second, where accelerations change within the time in which a ball crosses another
-    let none = CANCELLED * T::ULP * world.strongest().to_f64() / span;
+    let none = CANCELLED * T::ULP * scale / span;
     for (k, state) in states.iter_mut().enumerate() {
         let Some(node) = equations.opening[k] else {
             continue;

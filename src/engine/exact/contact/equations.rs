@@ -582,7 +582,7 @@ impl<'a, T: Real> Writer<'a, T> {
                     // far above what is rounding of an opening that stays zero
                     let room = self
                         .tape
-                        .constant(T::lift(T::ULP.sqrt()) * self.world.strongest());
+                        .constant(T::lift(T::ULP.sqrt()) * self.group.at_work(self.world));
                     let presses = self.tape.sum(room, node);
                     let opens = self.tape.difference(room, node);
                     self.watch(Change::Presses(k), presses);

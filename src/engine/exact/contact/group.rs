@@ -151,6 +151,26 @@ impl<T: Real> Group<T> {
         self.holds.iter().map(|hold| hold.touch).collect()
     }
 
+    /// The largest acceleration of what the cloth does to members and of those that turn round others, length/s^2: of what the forces between
+    /// them are made, and so what their openings are good to.
+    pub fn at_work(&self, world: &World<T>) -> T {
+        let each = self.members.iter().map(|member| {
+            let cloth = match (member.mode, world.rotation) {
+                (Mode::Slides | Mode::Drags, _) => world.strongest(),
+                (Mode::Rolls, Some(rotation)) => rotation.roll,
+                _ => T::zero(),
+            };
+            let [x, y] = member.moving.velocity;
+            cloth.at_least((x * x + y * y) / world.radius[member.ball])
+        });
+        let most = each.fold(T::zero(), T::at_least);
+        if most > T::zero() {
+            most
+        } else {
+            world.strongest()
+        }
+    }
+
     /// The contacts that carry a force.
     pub fn pressed(&self) -> Vec<usize> {
         (0..self.holds.len())

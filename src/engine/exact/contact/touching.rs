@@ -23,6 +23,10 @@ const NEWTON: usize = 8;
 /// Contacts whose system has a pivot of no more than this part of its largest entry depend on each other.
 const SINGULAR: f64 = 1e-9;
 
+/// A gap that is closed moves no party by more than so many of the largest: between a cushion and a ball that rests a third could only get out of a gap that is rounding by
+/// going far along both.
+const FARTHEST: f64 = 64.0;
+
 /// What is left of a gap or an approach is none at this part of the rounding of the farthest or the fastest ball.
 const ULPS: f64 = 0.125;
 
@@ -188,9 +192,14 @@ pub fn keep_slopes<T: Real>(world: &World<T>, members: &mut [Member<T>], touches
 pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
     let speed = loudest(world, members);
     let none = world.grain(speed) * T::lift(ULPS);
-    even_out(world, members, touches, none, rate, |moving| {
-        &mut moving.velocity
-    });
+    even_out(
+        world,
+        members,
+        touches,
+        [none, T::lift(f64::INFINITY)],
+        rate,
+        |moving| &mut moving.velocity,
+    );
     for m in members {
         resettle(world, m, world.over(speed));
     }
@@ -200,9 +209,14 @@ pub fn calm<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Tou
 pub fn close_gaps<T: Real>(world: &World<T>, members: &mut [Member<T>], touches: &[Touch]) {
     let none = world.blur.length * T::lift(ULPS);
     let gap = |members: &[Member<T>], touch: Touch| gap(world, members, touch);
-    even_out(world, members, touches, none, gap, |moving| {
-        &mut moving.position
-    });
+    even_out(
+        world,
+        members,
+        touches,
+        [none, T::lift(FARTHEST)],
+        gap,
+        |moving| &mut moving.position,
+    );
 }
 
 /// The gap of two parties, length.
@@ -263,6 +277,15 @@ impl<T: Real> Push<T> {
         }
     }
 
+    /// How far so many units move the party that gives most.
+    fn moves(&self, size: T) -> T {
+        let ways = self
+            .parties
+            .iter()
+            .map(|(_, [x, y])| x.abs().at_least(y.abs()));
+        size.abs() * ways.fold(T::zero(), T::at_least)
+    }
+
     /// Moves the parties by so many units, in this part of how they move.
     fn give_way(
         &self,
@@ -291,12 +314,13 @@ impl<T: Real> Push<T> {
     }
 }
 
-/// Takes out what contacts are `off` by, until no more than `none` is left: all together where they are independent, otherwise one after the other.
+/// Takes out what contacts are `off` by, until no more than `none` is left: all together where they are independent and that moves nobody more than `farthest`
+/// times the largest, otherwise one after the other.
 fn even_out<T: Real>(
     world: &World<T>,
     members: &mut [Member<T>],
     touches: &[Touch],
-    none: T,
+    [none, farthest]: [T; 2],
     off: impl Fn(&[Member<T>], Touch) -> T,
     part: impl Fn(&mut Moving<T>) -> &mut [T; 2],
 ) {
@@ -319,9 +343,16 @@ fn even_out<T: Real>(
         let size = rows.iter().flatten();
         let size = size.fold(T::zero(), |most, x| most.at_least(x.abs()));
         let regular = (round < NEWTON).then(|| Factors::of(rows, size * T::lift(SINGULAR)));
-        if let Some(factors) = regular.flatten() {
+        let together = regular.flatten().map(|factors| {
             let mut sizes = offs;
             factors.solve(&mut sizes);
+            sizes
+        });
+        let near = |sizes: &Vec<T>| {
+            let mut each = pushes.iter().zip(sizes);
+            each.all(|(push, size)| push.moves(*size) <= farthest * most)
+        };
+        if let Some(sizes) = together.filter(near) {
             for (push, size) in pushes.iter().zip(sizes) {
                 give_way(members, push, size);
             }

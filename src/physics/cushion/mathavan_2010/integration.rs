@@ -48,6 +48,10 @@ const STALLED: f64 = 1e-9;
 /// A slip counts as ending when it would end within this many times the impulse to the goal.
 const SOON: f64 = 4.0;
 
+/// A clock that goes by what is left of a slip is good to a rounding in that slip. Where next to no friction takes longer than so many slips to end one, a step by such
+/// a clock would not be good enough; but there the slip hardly turns.
+const CLOCKED: f64 = 4096.0;
+
 /// Part of a slip that ends to which its last steps are resolved.
 const RESOLVED: f64 = 1e-2;
 
@@ -295,9 +299,10 @@ impl<T: Real> Integration<T> {
         let sooner =
             to_rest[NOSE].unwrap_or(f64::INFINITY) <= to_rest[CLOTH].unwrap_or(f64::INFINITY);
         let first = if sooner { NOSE } else { CLOTH };
-        let ends = to_rest[first]
-            .filter(|impulse| *impulse < SOON * far && self.modes[first] == Mode::Slips)
-            .map(|_| first);
+        let ending = to_rest[first]
+            .filter(|impulse| *impulse < SOON * far && self.modes[first] == Mode::Slips);
+        let weak = ending.is_some_and(|impulse| impulse > CLOCKED * self.speed(first));
+        let ends = ending.filter(|_| !weak).map(|_| first);
         let creep = [NOSE, CLOTH].map(|contact| self.impulse_of_creep(contact, rates));
         let near = to_rest.iter().chain(&creep).flatten();
         let near = near.copied().fold(far, f64::min);
@@ -311,7 +316,8 @@ impl<T: Real> Integration<T> {
             near,
             impulse,
             ends,
-            lands: pacing.overshot || (impulse >= near && ends.is_none() && self.sees(goal)),
+            lands: pacing.overshot
+                || (impulse >= near && ends.is_none() && !(weak && near < far) && self.sees(goal)),
         }
     }
 

@@ -256,3 +256,21 @@ fn speeds_at_the_end_of_the_range_of_numbers_leave_the_cushion() {
         );
     }
 }
+
+#[test]
+fn a_ball_that_rolls_along_a_smooth_cushion_leaves_it() {
+    // no slip at the nose but a few roundings, and next to no friction that could hold it
+    let along = 4.213325464718789e-8;
+    let spin = -3.270141844413234e-9 * 12.884228466003464;
+    for mu in [0.0, 1e-12, 1e-9, 1e-6] {
+        for (vy, sz) in [(along, spin), (-along, -spin)] {
+            let start = [8.663933992415733e-9, vy, 0.0, 0.0, sz];
+            let (end, error) = rebound([0.0, mu, 0.0, 1.0], start, Accuracy::F64);
+            assert!(end[0].abs() <= error, "{mu:e}: {end:?}");
+            assert!(
+                (end[1] - vy).abs() <= mu * start[0] + error,
+                "{mu:e}: {end:?}"
+            );
+        }
+    }
+}
