@@ -15,7 +15,7 @@
 //! reads the trace that another program wrote ([`trace::files`]).
 //!
 //! A module imports only from those before it: `carried`, `math`, `physics`, `scene`, `trace`, `engine`, `finding`, `compare`, `oracle`,
-//! `law`, `study`, `gate`, `report`, `web`, and the command line (`tests/suite/architecture.rs` reads the sources and holds that).
+//! `law`, `words`, `study`, `page`, `gate`, `report`, `web`, and the command line (`tests/suite/architecture.rs` reads the sources and holds that).
 //! Everything is in the scene's own consistent units and in seconds; x runs across the table, y along it, z up, and a ball at rest has its
 //! centre at z = R.
 
@@ -29,9 +29,11 @@ pub mod gate;
 pub mod law;
 pub mod math;
 pub mod oracle;
+pub mod page;
 pub mod physics;
 pub mod report;
 pub mod scene;
 pub mod study;
 pub mod trace;
 pub mod web;
+pub mod words;

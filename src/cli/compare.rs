@@ -3,7 +3,8 @@
 use super::arguments::{CompareArguments, parse_engines};
 use super::{Failure, scene, terminal};
 use crate::engine::{Limits, Roster};
-use crate::study::compare::{default_columns, plan, shorten};
+use crate::page::{answer, compare::shorten};
+use crate::study::compare::{default_columns, plan};
 use crate::study::{Answer, Configuration, Timing, Watch};
 use std::process::ExitCode;
 
@@ -20,7 +21,7 @@ pub fn compare(arguments: &CompareArguments, roster: &Roster) -> Result<ExitCode
     let max_events = Limits::NONE.max_events;
     let answer = Answer::to(&scene, &columns, Timing::Alone, max_events, watch)?;
     drop(progress);
-    let mut summary = answer.summary(arguments.units);
+    let mut summary = answer::summary(&answer, arguments.units);
     if arguments.format.is_cut {
         shorten(&mut summary);
     }

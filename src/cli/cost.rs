@@ -3,6 +3,7 @@
 use super::arguments::{CostArguments, parse_engines};
 use super::{Failure, publish_with, scene, terminal};
 use crate::engine::Roster;
+use crate::page;
 use crate::study::cost::{self, PriceList};
 use crate::study::{Configuration, Watch};
 use std::path::{Path, PathBuf};
@@ -33,20 +34,20 @@ pub fn cost(arguments: &CostArguments, roster: &Roster) -> Result<ExitCode, Fail
     let folder = folder(&arguments.out, &scene.name);
     // everything for programs, what a reader can take in for a terminal
     let shown = if arguments.format.is_cut {
-        cost::summary(&outcome)
+        page::cost::summary(&outcome)
     } else {
-        cost::page(&outcome)
+        page::cost::page(&outcome)
     };
     let mut prices = Vec::new();
     if !outcome.stopped {
-        let list = serde_json::to_string_pretty(&PriceList::of(&outcome, &scene))
+        let list = serde_json::to_string_pretty(&page::cost::price_list(&outcome, &scene))
             .map_err(|error| Failure::Message(error.to_string()))?;
         prices.push((PRICES.to_owned(), list));
     }
     publish_with(
         &shown,
         &arguments.format,
-        || cost::page(&outcome),
+        || page::cost::page(&outcome),
         Some(&folder),
         prices,
     )

@@ -4,6 +4,7 @@ use super::arguments::{EffectsArguments, parse_engines};
 use super::{Failure, publish, scene, terminal};
 use crate::engine::Roster;
 use crate::finding::Document;
+use crate::page;
 use crate::study::compare::plan;
 use crate::study::{Watch, curves, effects};
 use std::process::ExitCode;
@@ -30,10 +31,13 @@ pub fn effects(arguments: &EffectsArguments, roster: &Roster) -> Result<ExitCode
     let (summary, page): (Document, Document) = match scene {
         Some(scene) => {
             let outcome = effects::study(&scene, &columns, threshold, watch)?;
-            (effects::summary(&outcome), effects::page(&outcome))
+            (
+                page::effects::summary(&outcome),
+                page::effects::page(&outcome),
+            )
         }
         None => {
-            let document = curves::study(&columns, watch)?;
+            let document = page::curves::page(&curves::study(&columns, watch)?);
             (document.clone(), document)
         }
     };

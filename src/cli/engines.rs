@@ -3,8 +3,8 @@
 use super::{Failure, terminal};
 use crate::engine::Roster;
 use crate::finding::{Block, Cell, Column, Document, Table};
+use crate::page::validation::engine_table;
 use crate::report::Format;
-use crate::study::validation::engine_table;
 use std::process::ExitCode;
 
 /// Prints every engine and the keys of its `--set`.

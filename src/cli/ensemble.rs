@@ -3,10 +3,11 @@
 use super::arguments::{EnsembleArguments, parse_engines};
 use super::{Failure, bounds, publish, scene, terminal};
 use crate::engine::Roster;
+use crate::page::ensemble::{page, summary};
 use crate::scene::Scene;
 use crate::scene::perturb::Law;
 use crate::study::Watch;
-use crate::study::ensemble::{EnsembleError, Plan, page, plan_columns, study, summary};
+use crate::study::ensemble::{EnsembleError, Plan, plan_columns, study};
 use std::process::ExitCode;
 
 /// Runs an ensemble, prints the summary and writes the page if a folder is named.

@@ -5,6 +5,7 @@ use super::exit::Exit;
 use super::{Failure, bounds, output, publish, terminal};
 use crate::engine::Roster;
 use crate::finding::Document;
+use crate::page;
 use crate::study::mutation::{Examples, Input};
 use crate::study::{Watch, mutation, random};
 use std::process::ExitCode;
@@ -71,7 +72,7 @@ fn run(
         (name, text.into_bytes())
     };
     let shown = outcome.failures.iter().map(|f| file(f.scene)).collect();
-    Ok((random::summary(&outcome), shown))
+    Ok((page::random::summary(&outcome), shown))
 }
 
 fn read(
@@ -105,5 +106,5 @@ fn read(
             }
         }
     }
-    Ok((mutation::summary(&outcome), shown))
+    Ok((page::mutation::summary(&outcome), shown))
 }

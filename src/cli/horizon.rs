@@ -2,6 +2,7 @@
 
 use super::arguments::HorizonArguments;
 use super::{Failure, publish, scene, terminal};
+use crate::page;
 use crate::study::horizon;
 use std::process::ExitCode;
 
@@ -9,8 +10,9 @@ use std::process::ExitCode;
 pub fn horizon(arguments: &HorizonArguments) -> Result<ExitCode, Failure> {
     let scene = scene::resolve(&arguments.scene)?;
     let precision = arguments.precision;
-    let document = horizon::study(&scene, precision, terminal::cancelled())
+    let outcome = horizon::study(&scene, precision, terminal::cancelled())
         .map_err(|refusal| Failure::Message(format!("{}: {refusal}", scene.name)))?;
+    let document = page::horizon::page(&outcome);
     publish(
         &document,
         &arguments.format,

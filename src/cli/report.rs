@@ -6,6 +6,7 @@ use super::cost::price_lists;
 use super::{Failure, scene, terminal, write_site};
 use crate::engine::Roster;
 use crate::finding::{Block, Cell, Document, Table};
+use crate::page;
 use crate::scene::{SetName, catalogue};
 use crate::study::{Watch, validation};
 use std::process::ExitCode;
@@ -32,7 +33,8 @@ pub fn report(arguments: &ReportArguments, roster: &Roster) -> Result<ExitCode, 
         &arguments.out,
         scenes.iter().map(|scene| scene.name.as_str()),
     );
-    let document = validation::study(roster, &scenes, &columns, &prices, watch)?;
+    let outcome = validation::study(roster, &scenes, &columns, watch)?;
+    let document = page::validation::page(roster, &outcome, &prices);
     drop(progress);
     let shown = first_screen(&document);
     let site = write_site(&shown, || document, &arguments.out, Vec::new())?;

@@ -5,8 +5,8 @@ use super::{Failure, bounds, output, scene, terminal};
 use crate::engine::{self, Limits, Roster, Setting};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::scene::Scene;
-use crate::study::compare::{describe_ending, describe_scene};
 use crate::trace::{Ending, Record, Trace, files};
+use crate::words::{describe_ending, describe_scene};
 use std::process::ExitCode;
 
 /// Runs one scene in one engine, writes the trace and prints where the balls ended.

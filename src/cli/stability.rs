@@ -7,9 +7,10 @@ use super::{Failure, publish, terminal, versions};
 use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Decision, Located, Row, Standing};
+use crate::page::stability::{page, summary};
 use crate::scene::{Scene, SetName, catalogue};
 use crate::study::Watch;
-use crate::study::stability::{Question, Reach, StabilityOutcome, page, presets, study, summary};
+use crate::study::stability::{Question, Reach, StabilityOutcome, presets, study};
 use std::process::ExitCode;
 
 /// What is done with accepted findings.

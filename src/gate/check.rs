@@ -2,7 +2,8 @@
 
 use super::{Accepted, Change, Kind, Located, Row, Standing, contradictions, diff};
 use crate::finding::Finding;
-use crate::study::check::{Against, CheckOutcome, Level, ORACLE, level, unit_of};
+use crate::page::check::Against;
+use crate::study::check::{CheckOutcome, Level, ORACLE, level, unit_of};
 
 /// What a check found, and how it differs from what was accepted.
 #[derive(Clone, Debug)]

@@ -1,10 +1,9 @@
-//! One scene compared, with all that its summary says: the richer scene that it is a model of, and the ensemble that it may ask for.
+//! One scene compared, with all that its page says: the richer scene that it is a model of, and the ensemble that it may ask for.
 
-use super::compare::{self, LengthUnit};
-use super::ensemble;
+use super::compare;
+use super::ensemble::{self, Surroundings};
 use super::matrix::{Configuration, Timing, Watch};
 use crate::engine::Limits;
-use crate::finding::{Block, Document};
 use crate::scene::{Scene, SceneError, catalogue};
 
 /// What `carom compare` and the live page answer.
@@ -12,8 +11,8 @@ use crate::scene::{Scene, SceneError, catalogue};
 pub struct Answer {
     /// The comparison.
     pub outcome: compare::ComparisonOutcome,
-    /// What the ensemble around a scene of touching balls says; empty for any other scene.
-    surroundings: Vec<Block>,
+    /// The ensemble around a scene of touching balls that asks for one; `None` for any other scene.
+    pub surroundings: Option<Surroundings>,
 }
 
 impl Answer {
@@ -38,20 +37,5 @@ impl Answer {
             outcome,
             surroundings,
         })
-    }
-
-    /// What the terminal shows.
-    pub fn summary(&self, unit: LengthUnit) -> Document {
-        self.surrounded(compare::summary(&self.outcome, unit))
-    }
-
-    /// The same with pictures, ball by ball.
-    pub fn page(&self) -> Document {
-        self.surrounded(compare::page(&self.outcome))
-    }
-
-    fn surrounded(&self, mut document: Document) -> Document {
-        ensemble::surround(&mut document, self.surroundings.clone());
-        document
     }
 }

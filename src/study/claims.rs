@@ -6,7 +6,6 @@
 use super::matrix::{self, Configuration, Timing, Watch};
 use crate::compare::largest_distance_at_end;
 use crate::engine::{Roster, Setting};
-use crate::finding::{Align, Block, Cell, Column as TableColumn, Document, Table};
 use crate::math::Vec3;
 use crate::physics::cloth::translational::{stop_distance, stop_time};
 use crate::scene::{Scene, SceneError, Shot, catalogue};
@@ -62,46 +61,6 @@ pub fn audit(roster: &Roster, watch: Watch<'_>) -> Result<Vec<Claim>, SceneError
         lab.mass_drops_out(&shot),
         lab.first_order(&catalogue::scene("slide")?),
     ])
-}
-
-/// The page of the audit.
-pub fn page(claims: &[Claim]) -> Document {
-    let mut blocks = vec![Block::Text(
-        "Every statement of the report that can be computed, computed now by the engines of this workbench.".to_owned(),
-    )];
-    for claim in claims {
-        let rows = claim.numbers.iter().map(|(what, value, unit)| {
-            vec![
-                Cell::text(what.clone()),
-                Cell::Number(*value),
-                Cell::text(unit.clone()),
-            ]
-        });
-        blocks.push(Block::Heading(claim.says.to_owned()));
-        blocks.push(Block::Text(claim.found.clone()));
-        blocks.push(Block::Table(Table {
-            id: format!("claim-{}", claim.id),
-            title: String::new(),
-            columns: vec![
-                TableColumn::words("what", "what"),
-                TableColumn {
-                    align: Align::Right,
-                    ..TableColumn::words("value", "computed")
-                },
-                TableColumn::words("unit", "unit"),
-            ],
-            rows: rows.collect(),
-            note: claim.how.clone(),
-        }));
-    }
-    Document {
-        id: "report-audit".to_owned(),
-        stopped_early: None,
-        title: "Audit of the report".to_owned(),
-        lead: String::new(),
-        blocks,
-        pages: Vec::new(),
-    }
 }
 
 /// Where the claims are put to the test.

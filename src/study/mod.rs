@@ -1,7 +1,6 @@
 //! Studies: each is a plan that makes a matrix of runs and a conclusion that reads what came out.
 
 pub mod answer;
-mod certainty;
 pub mod check;
 pub mod claims;
 pub mod compare;
@@ -11,7 +10,6 @@ pub mod effects;
 pub mod ensemble;
 mod extent;
 pub mod horizon;
-mod logarithm;
 pub mod matrix;
 pub mod mutation;
 pub mod random;

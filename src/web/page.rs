@@ -6,6 +6,7 @@ use super::form::is_changed;
 use super::problem::Problem;
 use super::wire::Response;
 use super::{Site, Turns, form, shot, start};
+use crate::page::answer;
 use crate::report::html;
 use crate::report::svg::escape;
 use crate::scene::catalogue;
@@ -57,7 +58,7 @@ pub fn answered(asked: &Asked, turns: &dyn Turns) -> Response {
                     escape(words)
                 ),
             };
-            let answer = html::fragment(&shot.answer.page());
+            let answer = html::fragment(&answer::page(&shot.answer));
             page(asked, &drawn, &(notice + &answer))
         }
         Err((status, problems)) => {

@@ -7,9 +7,10 @@ use super::problem::{Problem, body};
 use super::wire::Response;
 use super::{Turn, Turns, start};
 use crate::engine::Roster;
+use crate::page::answer;
+use crate::page::compare::{LengthUnit, replay};
 use crate::report::{html, json, replay};
 use crate::scene::Scene;
-use crate::study::compare::{self, LengthUnit};
 use crate::study::{Answer, Configuration, Timing, Watch};
 use serde_json::json;
 
@@ -72,8 +73,8 @@ pub fn answer(asked: &Asked, turns: &dyn Turns) -> Response {
         Ok(shot) => shot,
         Err((status, problems)) => return Response::json(status, body(&problems)),
     };
-    let summary = shot.answer.summary(LengthUnit::Radius);
-    let (replay, why) = match compare::replay(&shot.answer.outcome) {
+    let summary = answer::summary(&shot.answer, LengthUnit::Radius);
+    let (replay, why) = match replay(&shot.answer.outcome) {
         Ok(data) => (replay::data(&data), String::new()),
         Err(why) => ("null".to_owned(), why),
     };

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A module may import from itself and from modules listed before it.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 18] = [
     "carried", "math", "physics", "scene", "trace", "engine", "finding", "compare", "oracle",
-    "law", "study", "gate", "report", "web", "cli", "main",
+    "law", "words", "study", "page", "gate", "report", "web", "cli", "main",
 ];
 
 /// Folders of `engine/` that are no engine: what several engines are made of.
@@ -25,6 +25,25 @@ const ONLY_IN: [(&str, &[&str]); 10] = [
     ("engine::exact", &["engine", "oracle"]),
     ("println!", &["cli"]),
 ];
+
+/// What runs an engine, or asks whether to go on running one: nothing of it is on a page.
+const RUNS: [&str; 6] = [
+    "Limits",
+    "Watch",
+    "matrix::",
+    "Runner",
+    ".prepare(",
+    ".simulate(",
+];
+
+/// What a study would write a document with.
+const WRITES: [&str; 5] = ["Document", "Block", "Table {", "Paragraph", "crate::page"];
+
+/// Studies that write tables or figures themselves, so far.
+const STILL_WRITE: [&str; 1] = ["study/curves/"];
+
+/// The largest part of the sources that the studies, or their pages, may be.
+const SHARE: f64 = 0.18;
 
 /// Every Rust file below a folder, by its path relative to that folder.
 fn sources(folder: &str) -> BTreeMap<String, String> {
@@ -137,6 +156,45 @@ fn violations(sources: &BTreeMap<String, String>) -> Vec<String> {
         }
     }
     found
+}
+
+/// Pages that run something, and studies that write documents, one sentence each.
+fn strays(sources: &BTreeMap<String, String>) -> Vec<String> {
+    let mut found = Vec::new();
+    for (file, text) in sources {
+        let code = code(text);
+        let words: &[&str] = match file.split(['/', '.']).next() {
+            Some("page") => &RUNS,
+            Some("study") if !STILL_WRITE.iter().any(|known| file.starts_with(known)) => &WRITES,
+            _ => continue,
+        };
+        let strays = words.iter().filter(|word| code.contains(**word));
+        found.extend(strays.map(|word| format!("{file}: {word}")));
+    }
+    found
+}
+
+#[test]
+fn no_study_writes_a_document_and_no_page_runs_an_engine() {
+    let sources = sources("src");
+    assert_eq!(strays(&sources), [""; 0]);
+    for (file, text) in [
+        ("study/effects/mod.rs", "fn f() -> Document {}"),
+        ("page/effects/mod.rs", "fn f(watch: Watch<'_>) {}"),
+        ("page/check.rs", "let run = engine.prepare(&scene)?;"),
+    ] {
+        let planted = BTreeMap::from([(file.to_owned(), text.to_owned())]);
+        assert_eq!(strays(&planted).len(), 1, "{file}: {text}");
+    }
+    let lines = |room: &str| -> usize {
+        let own = sources.iter().filter(|(file, _)| file.starts_with(room));
+        own.map(|(_, text)| text.lines().count()).sum()
+    };
+    let all = lines("") as f64;
+    for room in ["study/", "page/"] {
+        let share = lines(room) as f64 / all;
+        assert!(share > 0.01 && share < SHARE, "{room}: {share}");
+    }
 }
 
 /// Module names right after `crate::`, also of a group: `{math::x, trace::y}`.

@@ -70,7 +70,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
         };
         let outcome = random::study(plan, watch);
         assert_eq!((outcome.done, outcome.faults), (0, 0));
-        let lead = random::summary(&outcome).lead;
+        let lead = carom::page::random::summary(&outcome).lead;
         assert!(lead.contains("0 of 0"), "{lead}");
         let plan = mutation::Plan {
             first,
@@ -83,7 +83,7 @@ fn as_many_scenes_and_inputs_as_there_are_indices_take_no_memory_of_their_own() 
             watch,
         );
         assert_eq!(outcome.done(), 0);
-        let _ = mutation::summary(&outcome);
+        let _ = carom::page::mutation::summary(&outcome);
     }
     // the last indices that there are
     let never = AtomicBool::new(false);

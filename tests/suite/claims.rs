@@ -1,7 +1,8 @@
 //! The audit of the report computes what its specification states.
 
+use carom::page::claims::page;
 use carom::study::Watch;
-use carom::study::claims::{Claim, audit, page};
+use carom::study::claims::{Claim, audit};
 
 fn number(claims: &[Claim], id: &str, what: &str) -> f64 {
     let claim = claims

@@ -6,10 +6,9 @@ use assert_cmd::Command;
 use carom::compare::{Comparison, METRICS, contact_phases, of_pair};
 use carom::engine::Setting;
 use carom::finding::{Block, Cell, Document, Table};
+use carom::page::compare::{LengthUnit, shorten, summary};
 use carom::scene::{Scene, catalogue};
-use carom::study::compare::{
-    Cause, ComparisonOutcome, ContactStanding, LengthUnit, plan, shorten, study, summary,
-};
+use carom::study::compare::{Cause, ComparisonOutcome, ContactStanding, plan, study};
 use carom::study::{Configuration, Timing, Watch};
 use carom::trace::{EventKind, Knot, Partner, Record, Trace};
 

@@ -4,10 +4,10 @@ use crate::support::scenario;
 use assert_cmd::Command;
 use carom::engine::Setting;
 use carom::finding::{Block, Cell, Document, Table};
+use carom::page::cost::{listing, page, summary};
 use carom::scene::{Scene, catalogue};
 use carom::study::cost::{
-    CostOutcome, Grid, Kind, Measured, Offer, PriceList, Quantity, THRESHOLDS, front, listing,
-    offers, page, study, summary,
+    CostOutcome, Grid, Kind, Measured, Offer, PriceList, Quantity, THRESHOLDS, front, offers, study,
 };
 use carom::study::{Configuration, Watch};
 use std::process::Output;
@@ -357,7 +357,7 @@ fn a_given_setting_holds_at_every_level() {
 fn a_report_lists_prices_of_the_scene_as_it_is() {
     let scene = oblique_hit();
     let outcome = of(&["stepper", "exact"], &scene);
-    let list = PriceList::of(&outcome, &scene);
+    let list = carom::page::cost::price_list(&outcome, &scene);
     let read: PriceList = serde_json::from_str(&serde_json::to_string(&list).unwrap()).unwrap();
     assert_eq!(read, list);
     let known = listing(std::slice::from_ref(&scene), std::slice::from_ref(&list));

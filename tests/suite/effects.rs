@@ -3,11 +3,11 @@
 use assert_cmd::Command;
 use carom::engine::{Setting, prepare};
 use carom::finding::{Block, Cell, Document, Style, Table};
+use carom::page::effects::{page, summary};
 use carom::physics::{Cloth, Contact, Effects, Friction};
 use carom::scene::{Scene, catalogue};
 use carom::study::effects::{
-    EffectsOutcome, Optional, Plan, Verdict, WHOLE, dependents, page, present, reduced, study,
-    summary,
+    EffectsOutcome, Optional, Plan, Verdict, WHOLE, dependents, present, reduced, study,
 };
 use carom::study::{Configuration, Watch, curves};
 use std::process::Output;
@@ -460,7 +460,8 @@ fn what_leaving_an_effect_out_costs_is_drawn_as_the_table_has_it() {
 
 #[test]
 fn engines_follow_the_curves_of_throw_squirt_and_rebound() {
-    let document = curves::study(&columns(&["exact"]), Watch::NONE).unwrap();
+    let outcome = curves::study(&columns(&["exact"]), Watch::NONE).unwrap();
+    let document = carom::page::curves::page(&outcome);
     let departures = table(&document, "departures");
     let largest = |words: [&str; 3], unit: &str| -> (u64, f64) {
         let is_it = |row: &&Vec<Cell>| {

@@ -6,13 +6,12 @@ use carom::engine::Setting;
 use carom::finding::{Block, Document};
 use carom::math::random::Draws;
 use carom::math::statistics::{Distribution, holm, kolmogorov_smirnov};
+use carom::page::ensemble::{page, summary, surround};
 use carom::report::render;
 use carom::scene::perturb::Law;
 use carom::scene::{Scene, catalogue};
 use carom::study::compare;
-use carom::study::ensemble::{
-    EnsembleEntry, EnsembleOutcome, Plan, Quantity, page, study, summary, surround, surroundings,
-};
+use carom::study::ensemble::{EnsembleEntry, EnsembleOutcome, Plan, Quantity, study, surroundings};
 use carom::study::{Configuration, Timing, Watch};
 use serde_json::Value;
 use std::process::Output;
@@ -436,8 +435,11 @@ fn a_comparison_shows_the_ensemble_where_the_scene_asks_for_one_and_nowhere_else
             &columns(&[("stepper", "dt=1e-2")]),
         );
         let outcome = compare::study(&scene, None, &columns, Timing::None, Watch::NONE);
-        let mut document = compare::summary(&outcome, compare::LengthUnit::Radius);
-        let (blocks, _) = surroundings(&outcome, Watch::NONE);
+        let mut document =
+            carom::page::compare::summary(&outcome, carom::page::compare::LengthUnit::Radius);
+        let (found, _) = surroundings(&outcome, Watch::NONE);
+        let blocks = found.map(|found| carom::page::ensemble::surroundings(&outcome, &found));
+        let blocks = blocks.unwrap_or_default();
         let count = blocks.len();
         surround(&mut document, blocks);
         (document, count)

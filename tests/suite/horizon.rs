@@ -11,7 +11,8 @@ use std::sync::atomic::AtomicBool;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn page(name: &str, precision: Precision) -> Document {
-    study(&catalogue::scene(name).unwrap(), precision, &NEVER).unwrap()
+    let outcome = study(&catalogue::scene(name).unwrap(), precision, &NEVER);
+    carom::page::horizon::page(&outcome.unwrap())
 }
 
 fn table<'a>(document: &'a Document, id: &str) -> &'a Table {

@@ -2,8 +2,9 @@
 #![allow(clippy::print_stdout)]
 
 use carom::engine::{Limits, Roster};
+use carom::page::answer::summary;
+use carom::page::compare::LengthUnit;
 use carom::report::FORMATS;
-use carom::study::compare::LengthUnit;
 use carom::study::{Answer, Configuration, Timing, Watch};
 use std::error::Error;
 
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let answer = Answer::to(&scene, &columns, Timing::None, most, Watch::NONE)?;
     print!(
         "{}",
-        (FORMATS[0].write)(&answer.summary(LengthUnit::Radius))
+        (FORMATS[0].write)(&summary(&answer, LengthUnit::Radius))
     );
     Ok(())
 }

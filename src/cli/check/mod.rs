@@ -10,11 +10,10 @@ use super::{Failure, output, publish, terminal, versions};
 use crate::engine::Roster;
 use crate::finding::{Block, Document};
 use crate::gate::{self, Accepted, Bits, Decision, Held};
+use crate::page::check::{Against, bounds, page, summary};
 use crate::report;
 use crate::scene::{SetName, catalogue};
-use crate::study::check::{
-    Against, Level, RANDOM, RANDOM_SCENES, bounds, page, random_plan, study, summary,
-};
+use crate::study::check::{Level, RANDOM, RANDOM_SCENES, random_plan, study};
 use crate::study::compare::default_columns;
 use crate::study::{Watch, random};
 use std::fs;

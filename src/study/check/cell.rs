@@ -9,10 +9,10 @@ use crate::law::rerun::digest;
 use crate::oracle::Oracle;
 use crate::physics::invariants::Invariant;
 use crate::scene::{Scene, SetName};
-use crate::study::compare::describe_kind;
 use crate::study::matrix::{Configuration, Runner};
 use crate::study::stability::examine;
 use crate::trace::{Event, Record, Trace};
+use crate::words::describe_kind;
 
 /// Time between two recorded samples of a stepping engine, s of simulated time.
 const CADENCE: f64 = 0.01;

@@ -1,12 +1,12 @@
 //! Why two collision orders first differ: the margin against the resolution, a contact that lasts, or the setting that moves it.
 
-use super::words::describe_span;
 use super::{ComparisonOutcome, Standing};
 use crate::compare::{ContactPhase, Parting};
 use crate::engine::{Name, Setting};
 use crate::scene::Scene;
 use crate::study::matrix::{Configuration, Timing, Watch, run_row};
 use crate::trace::{Event, EventKind, Record, Trace};
+use crate::words::describe_span;
 
 /// Why two collision orders differ where they first do.
 #[derive(Clone, Debug, PartialEq)]

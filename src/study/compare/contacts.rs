@@ -5,7 +5,6 @@
 //! engine, each alone, and each ball of the contact without the other.
 
 use super::ComparisonOutcome;
-use super::scale::Scale;
 use crate::compare::{
     self, Comparison, ContactHits, ContactPhase, believed_phases, error_at_begin, error_at_end,
 };
@@ -64,7 +63,7 @@ pub struct Ablated {
 impl Ablated {
     /// True if so little of `error` is left that it comes from there: of an error of first order the part by which the step is finer, here
     /// no more than twice that; of anything else no more than half.
-    fn explains(&self, error: f64) -> bool {
+    pub fn explains(&self, error: f64) -> bool {
         let parts = match self.finer > 1.0 {
             true => self.finer / MOSTLY,
             false => MOSTLY,
@@ -74,10 +73,7 @@ impl Ablated {
 }
 
 /// An error is mostly what more than one in so many parts of it are.
-const MOSTLY: f64 = 2.0;
-
-/// What leaves more than this part of an error is not told as a part of its cause.
-const MERELY: f64 = 0.75;
+pub const MOSTLY: f64 = 2.0;
 
 /// Contacts of a scene that are run once more, the first ones: each takes some runs of every engine, with all balls.
 const MOST_ASKED: usize = 12;
@@ -98,54 +94,6 @@ impl ContactStanding {
             .into_iter()
             .map(standing)
             .collect()
-    }
-
-    /// Where the error at the end comes from, in one sentence; empty where that was not asked.
-    pub(super) fn why(&self, scale: &Scale) -> String {
-        let Some(own) = &self.own else {
-            let words = match self.is_short && self.error_at_end.is_some() {
-                true => "from before it: it is over before a step is",
-                false => "",
-            };
-            return words.to_owned();
-        };
-        let of_itself = own.sentence(scale);
-        match self.error_at_end {
-            Some(error) if own.error * MOSTLY <= error => {
-                format!("mostly from before it; its own: {of_itself}")
-            }
-            _ => of_itself,
-        }
-    }
-}
-
-impl OwnError {
-    /// What the error is made of, in one sentence: what was tried, what it left, and what else there is.
-    fn sentence(&self, scale: &Scale) -> String {
-        let besides = match self.alone.filter(|alone| alone * MOSTLY >= self.error) {
-            Some(alone) => format!("a ball that meets nothing is off by {}", scale.words(alone)),
-            None => match self.exchanges {
-                0 => "no exchange in place of a force".to_owned(),
-                1 => "1 exchange in place of a force".to_owned(),
-                n => format!("{n} exchanges in place of a force"),
-            },
-        };
-        let tried = || self.ablations.iter();
-        let cure = tried().find(|ablated| ablated.explains(self.error));
-        let least = || tried().min_by(|a, b| a.error.total_cmp(&b.error));
-        let Some(best) = cure.or_else(least) else {
-            return besides;
-        };
-        let what = &best.what;
-        let left = format!("{} with {}", scale.words(best.error), best.setting);
-        if best.explains(self.error) {
-            format!("{what}: {left}")
-        } else if best.error <= self.error * MERELY {
-            format!("in part {what}: {left}; {besides}")
-        } else {
-            let tried: Vec<&str> = self.ablations.iter().map(|a| &*a.what).collect();
-            format!("not {}: {left}; {besides}", tried.join(" or "))
-        }
     }
 }
 

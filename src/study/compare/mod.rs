@@ -5,36 +5,26 @@
 
 mod causes;
 mod contacts;
-mod figures;
-mod page;
-mod parting;
-mod replay;
-mod scale;
-mod tables;
-mod words;
 
 pub use causes::Cause;
-pub use contacts::{Ablated, ContactStanding, OwnError};
-pub(super) use figures::{TABLE_CAPTION, table_picture};
-pub use page::{page, shorten, summary, thumbnail};
-pub use replay::replay;
-pub use scale::LengthUnit;
-pub use words::{
-    describe_ending, describe_event, describe_growth, describe_kind, describe_lost, describe_order,
-    describe_rough, describe_scene, describe_span,
-};
+pub use contacts::{Ablated, ContactStanding, MOSTLY, OwnError};
 
 use super::Extent;
 use super::matrix::{self, Cell, Configuration, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
 use crate::engine::{Limits, Refusal, Roster};
 use crate::finding::Finding;
-use crate::oracle::{self, Absence, Horizon, horizon};
+use crate::oracle::{self, Absence, Growth, Horizon, growth, horizon};
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
 
 /// Time between two recorded samples of a stepping engine, s of simulated time.
 const CADENCE: f64 = 0.01;
+
+/// Growth is told of a scene of at most so many balls and events; `carom horizon` tells it for more.
+const FEW_BALLS: usize = 32;
+/// See [`FEW_BALLS`].
+const FEW_EVENTS: usize = 400;
 
 /// Everything that a comparison of one scene found.
 #[derive(Debug)]
@@ -49,6 +39,8 @@ pub struct ComparisonOutcome {
     pub no_reference: Option<String>,
     /// Up to which event the reference can be believed; `None` without a reference, or with one in a precision that has no finer one.
     pub horizon: Option<Horizon>,
+    /// How a perturbation of the reference grows: of a scene of few balls and events, since it takes a matrix an event.
+    pub growth: Option<Growth>,
     /// Every pair of engines that ran, apart from the reference; those of different families first.
     pub pairs: Vec<PairOutcome>,
     /// Every number, with its address.
@@ -108,7 +100,7 @@ impl ComparisonEntry {
 
 impl ComparisonOutcome {
     /// Every two runs that are held against each other: all against the reference, or all pairs without one.
-    fn held(&self) -> Vec<(usize, usize, &Standing)> {
+    pub fn held(&self) -> Vec<(usize, usize, &Standing)> {
         match self.reference {
             Some(reference) => {
                 let entries = self.entries.iter().enumerate();
@@ -249,6 +241,7 @@ fn conclude(
         reference: None,
         no_reference: None,
         horizon: None,
+        growth: None,
         pairs: Vec::new(),
         findings: Vec::new(),
         extent: Extent::default(),
@@ -264,10 +257,11 @@ fn conclude(
                 let found = limits.whole(|| horizon(scene, precision, false, limits));
                 outcome.extent.count(found.is_some());
                 outcome.horizon = found.flatten();
+                outcome.growth = growth_of(&outcome, limits);
             }
         }
         Err(absence) => {
-            outcome.no_reference = Some(absence.in_words(words::describe_ending));
+            outcome.no_reference = Some(absence.in_words(crate::words::describe_ending));
         }
     }
     stand_alone(&mut outcome);
@@ -275,6 +269,15 @@ fn conclude(
     in_pairs(&mut outcome);
     arithmetic(&mut outcome);
     outcome
+}
+
+/// The growth beside the horizon; `None` where that takes long, or the user asks to stop.
+fn growth_of(outcome: &ComparisonOutcome, limits: &Limits<'_>) -> Option<Growth> {
+    let horizon = outcome.horizon.as_ref()?;
+    let scene = &outcome.scene;
+    let small = scene.balls.len() <= FEW_BALLS && horizon.sights.len() <= FEW_EVENTS;
+    let found = small.then(|| limits.whole(|| growth(scene, &horizon.trace, true, limits)));
+    found.flatten().flatten()
 }
 
 /// True for a column of the engine that the others are held against.

@@ -5,35 +5,29 @@
 //! along a ladder, and which setting holds them where they do not.
 
 mod cause;
-mod figures;
-mod listing;
-mod page;
 mod plan;
-mod price;
+pub mod price;
 mod price_list;
 mod quantity;
-mod tables;
 mod verdict;
-mod words;
 
 pub use cause::{Cause, Parameters, Substitution};
-pub use listing::listing;
-pub use page::{page, summary};
 pub use plan::{Family, Grid, Level};
 
-pub use price::{Offer, THRESHOLDS, cheapest, front, noise, offers};
+pub use price::{HIGH_FROM, Offer, THRESHOLDS, cheapest, front, noise, offers};
 pub use price_list::{Price, PriceList};
 pub use quantity::{Errors, Quantity};
-pub use verdict::{Fit, Kind, Verdict};
+pub use verdict::{Fit, GAINS, Kind, Verdict, in_order};
 
 use super::Extent;
-use super::compare::{default_columns, describe_ending};
+use super::compare::default_columns;
 use super::matrix::{self, Configuration, Effort, Job, Timed, Watch};
 use crate::engine::{Limits, Roster};
 use crate::math::statistics::Distribution;
 use crate::oracle::{self, Absence, Precision};
 use crate::scene::Scene;
 use crate::trace::{Record, Trace};
+use crate::words::describe_ending;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -202,7 +196,7 @@ pub fn study(
         _ => longest(roster, &scene, watch),
     };
     let closest_hits = match &no_oracle {
-        None => base.as_ref().and_then(words::closest_hits),
+        None => base.as_ref().and_then(closest_hits),
         Some(_) => None,
     };
     let families = plan::families(roster, &scene, named, grid, simulated);
@@ -451,4 +445,20 @@ impl<'a> Runs<'a> {
             outcome.levels.count(has_time && point.whole);
         }
     }
+}
+
+/// The smallest time between two collisions of the same ball, s; `None` where no ball has two.
+fn closest_hits(trace: &Trace) -> Option<f64> {
+    let mut last: Vec<Option<f64>> = vec![None; trace.balls.len()];
+    let mut closest: Option<f64> = None;
+    for event in trace.collisions() {
+        let (first, second) = event.kind.balls();
+        for ball in [Some(first), second].into_iter().flatten() {
+            let gap = last[ball]
+                .replace(event.time)
+                .map(|before| event.time - before);
+            closest = closest.into_iter().chain(gap).reduce(f64::min);
+        }
+    }
+    closest
 }

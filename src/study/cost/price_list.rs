@@ -1,7 +1,5 @@
 //! The price list of one scene as a file, for a report made later.
 
-use super::price::{THRESHOLDS, cheapest, offers};
-use super::{CostOutcome, Quantity, page, words};
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -40,32 +38,6 @@ pub struct Price {
 }
 
 impl PriceList {
-    /// The price list of a study. `scene`: as it was given, before the study shortened it to what can be believed.
-    pub fn of(outcome: &CostOutcome, scene: &Scene) -> Self {
-        let mut prices = Vec::new();
-        for quantity in Quantity::ALL {
-            let offers = offers(outcome, quantity);
-            for error in THRESHOLDS {
-                prices.extend(cheapest(offers.iter().copied(), error).map(|offer| Price {
-                    quantity: quantity.id().to_owned(),
-                    error,
-                    engine: offer.engine().to_owned(),
-                    setting: offer.point.level.column.setting.to_string(),
-                    label: words::short_label(offer.point),
-                    reached: offer.error,
-                    seconds: offer.seconds,
-                }));
-            }
-        }
-        PriceList {
-            scene: scene.name.clone(),
-            scene_hash: scene.hash(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            command: page::command(outcome),
-            prices,
-        }
-    }
-
     /// True if it belongs to this scene and this version.
     pub fn is_of(&self, scene: &Scene) -> bool {
         self.scene_hash == scene.hash() && self.version == env!("CARGO_PKG_VERSION")

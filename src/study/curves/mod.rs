@@ -10,9 +10,7 @@ mod throw;
 
 use super::Extent;
 use super::matrix::{self, Configuration, Timing, Watch};
-use crate::finding::{
-    Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
-};
+use crate::finding::{Figure, Series, Style, Table};
 use crate::scene::{Scene, SceneError};
 use crate::trace::{Record, Trace};
 
@@ -24,9 +22,11 @@ const DEGREES: &str = "degrees";
 
 /// One curve family: its picture and how far the engines are from it.
 #[derive(Debug, Default)]
-struct Curve {
-    figures: Vec<Figure>,
-    departures: Vec<Departure>,
+pub struct Curve {
+    /// Its pictures.
+    pub figures: Vec<Figure>,
+    /// How far each engine is from it.
+    pub departures: Vec<Departure>,
 }
 
 /// What finds a family of curves.
@@ -34,22 +34,36 @@ type Part = fn(&Lab<'_>) -> Result<Curve, SceneError>;
 
 /// How far something is from a curve.
 #[derive(Debug)]
-struct Departure {
+pub struct Departure {
     /// Whose points.
-    who: String,
+    pub who: String,
     /// What they are held against.
-    from: &'static str,
+    pub from: &'static str,
     /// Number of points.
-    points: usize,
+    pub points: usize,
     /// The largest departure; `None` where there is no point.
-    largest: Option<f64>,
-    unit: &'static str,
+    pub largest: Option<f64>,
+    /// Its unit.
+    pub unit: &'static str,
     /// Why points are missing, with their number.
-    missing: Vec<(String, usize)>,
+    pub missing: Vec<(String, usize)>,
+}
+
+/// What was found of the impact laws.
+#[derive(Debug)]
+pub struct CurvesOutcome {
+    /// Each family of curves, with its name.
+    pub curves: Vec<(&'static str, Curve)>,
+    /// The shots of a paper; `None` where the user asked to stop before.
+    pub shots: Option<Table>,
+    /// The engines.
+    pub columns: Vec<Configuration>,
+    /// Families that were run in every engine.
+    pub extent: Extent,
 }
 
 /// Runs every point of every curve in the engines. Errors: a scene of the catalogue that is no scene.
-pub fn study(columns: &[Configuration], watch: Watch<'_>) -> Result<Document, SceneError> {
+pub fn study(columns: &[Configuration], watch: Watch<'_>) -> Result<CurvesOutcome, SceneError> {
     let mut found = Vec::new();
     let parts: [(&str, Part); 3] = [
         ("throw", throw::curve),
@@ -70,9 +84,11 @@ pub fn study(columns: &[Configuration], watch: Watch<'_>) -> Result<Document, Sc
     (watch.progress)(parts.len(), parts.len() + 1, "five shots of a paper");
     let shots = watch.whole(|| shots_2014::table(&lab));
     extent.count(shots.is_some());
-    Ok(Document {
-        stopped_early: extent.stopped_early("families of curves were run in every engine"),
-        ..page(&found, shots.transpose()?, columns)
+    Ok(CurvesOutcome {
+        curves: found,
+        shots: shots.transpose()?,
+        columns: columns.to_vec(),
+        extent,
     })
 }
 
@@ -170,89 +186,6 @@ fn velocity_after(trace: &Trace, ball: usize) -> Option<crate::math::Vec3> {
     let mut knots = trace.paths.get(ball)?.knots.iter();
     let far = knots.find(|knot| knot.after == Some(first as u32))?;
     Some(far.state.velocity)
-}
-
-fn page(found: &[(&str, Curve)], shots: Option<Table>, columns: &[Configuration]) -> Document {
-    let mut blocks: Vec<Block> = Vec::new();
-    for (_, curve) in found {
-        blocks.extend(curve.figures.iter().cloned().map(Block::Figure));
-    }
-    blocks.push(Block::Table(departure_table(found)));
-    blocks.extend(shots.map(Block::Table));
-    let labels: Vec<String> = columns
-        .iter()
-        .map(|c| c.label().replace(' ', ":"))
-        .collect();
-    blocks.push(Block::Command(format!(
-        "carom effects --curves --engines {}",
-        labels.join(",")
-    )));
-    Document {
-        id: "effect-curves".to_owned(),
-        stopped_early: None,
-        title: "Throw, squirt and rebound against published curves".to_owned(),
-        lead: sentence(found),
-        blocks,
-        pages: Vec::new(),
-    }
-}
-
-/// How far the first engine with points is from each curve.
-fn sentence(found: &[(&str, Curve)]) -> String {
-    let parts = found.iter().filter_map(|(name, curve)| {
-        let first = curve.departures.iter().find(|d| d.largest.is_some())?;
-        Some(format!(
-            "{name}: {} is within {:.1e} {} of the {}",
-            first.who, first.largest?, first.unit, first.from
-        ))
-    });
-    let mut text = parts.collect::<Vec<_>>().join("; ");
-    if let Some(first) = text.get_mut(0..1) {
-        first.make_ascii_uppercase();
-    }
-    if text.is_empty() { text } else { text + "." }
-}
-
-fn departure_table(found: &[(&str, Curve)]) -> Table {
-    let columns = vec![
-        TableColumn::words("curve", "curve"),
-        TableColumn::words("who", "points of"),
-        TableColumn::words("from", "held against"),
-        TableColumn::number("points", "points", ""),
-        TableColumn::number("largest", "largest departure", ""),
-        TableColumn::words("unit", "unit"),
-        TableColumn::words("missing", "missing"),
-    ];
-    let mut rows = Vec::new();
-    for (name, curve) in found {
-        for departure in &curve.departures {
-            let missing = departure
-                .missing
-                .iter()
-                .map(|(why, n)| format!("{n}: {why}"));
-            let missing = missing.collect::<Vec<_>>().join("; ");
-            rows.push(vec![
-                Cell::text(*name),
-                Cell::text(departure.who.clone()),
-                Cell::text(departure.from),
-                Cell::Count(departure.points as u64),
-                Cell::maybe(departure.largest),
-                Cell::text(departure.unit),
-                if missing.is_empty() {
-                    Cell::Empty
-                } else {
-                    Cell::verdict(Tone::Quiet, missing)
-                },
-            ]);
-        }
-    }
-    Table {
-        id: "departures".to_owned(),
-        title: "How far from the curves".to_owned(),
-        columns,
-        rows,
-        note: "A stepping engine sees a contact within its step, so that its impacts are off by about speed x dt.".to_owned(),
-    }
 }
 
 /// A line in a figure.

@@ -5,23 +5,18 @@
 //! scene leaves them, which of them the shot needs, and how long each takes.
 
 mod change;
-mod figures;
 mod optional;
-mod page;
 mod plan;
-mod tables;
-mod words;
 
-pub use change::{Change, Owned};
+pub use change::{Change, Owned, energy_at, fallen};
 pub use optional::{Optional, dependents, present, reduced};
-pub use page::{page, summary};
 pub use plan::{Plan, Rung, Variant, WHOLE};
 
 use super::Extent;
-use super::compare::describe_ending;
 use super::matrix::{self, Cell, Configuration, Timing, Watch};
 use crate::scene::{Scene, SceneError};
 use crate::trace::{Record, Trace};
+use crate::words::describe_ending;
 
 /// Everything that an ablation found.
 #[derive(Debug)]

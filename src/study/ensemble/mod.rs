@@ -6,18 +6,15 @@
 
 mod agreement;
 mod distribution;
-mod figures;
 mod landing;
 mod orders;
-mod page;
 mod spread;
 
 pub use agreement::{Agreement, Farthest, agreement};
-pub use distribution::{Quantity, Test};
+pub use distribution::{LEVEL, NEGLIGIBLE, Quantity, Test};
 pub use landing::{Landing, Order};
 pub use orders::Frequent;
-pub use page::{page, summary};
-pub use spread::{surround, surroundings};
+pub use spread::{AROUND, SEED_AROUND, Surroundings, surroundings};
 
 use super::Extent;
 use super::matrix::{self, Configuration, Watch};

@@ -3,9 +3,9 @@
 use super::{EnsembleEntry, EnsembleOutcome, Order};
 use crate::engine::Refusal;
 use crate::scene::Scene;
-use crate::study::compare::describe_kind;
 use crate::study::matrix::{self, Timing, Watch};
 use crate::trace::{EventKind, Record, Trace};
+use crate::words::describe_kind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Orders that are told in full.

@@ -5,11 +5,9 @@
 
 mod examine;
 mod mutate;
-mod page;
 
 pub use examine::{Examined, engine_list, recipe, scene_file, trace_files};
 pub use mutate::{mutate, replace_number};
-pub use page::summary;
 
 use super::matrix::{self, Configuration, Watch};
 use super::random::caught;

@@ -5,10 +5,8 @@
 //! how the runs ended, the worst of each bound with its scene, and every fault with the number of its scene, which anybody can
 //! make again.
 
-mod page;
 mod verdict;
 
-pub use page::summary;
 pub use verdict::{Verdict, check};
 
 use super::Extent;

@@ -7,8 +7,8 @@ use crate::math::{within, worse};
 use crate::oracle::Oracle;
 use crate::physics::Cloth;
 use crate::scene::Simultaneous;
-use crate::study::compare::{describe_kind, describe_span};
 use crate::trace::{Event, EventKind, Trace};
+use crate::words::{describe_kind, describe_span};
 
 /// Part of a radius that a ball may go in a step if an engine is to see what it hits.
 const SEEN: f64 = 0.5;

@@ -1,16 +1,15 @@
 //! One cell: its runs, its evidence, its verdict.
 
-use super::evidence::{Evidence, FoundAt, Judgement};
+use super::evidence::{Evidence, Judgement};
 use super::plan::{MOST_STATES, Planned};
 use super::rules::{RULES, Rule, rounding_grown};
 use crate::compare::Comparison;
 use crate::engine::Refusal;
-use crate::finding::{Figure, Finding, Series, Style, Verdict};
+use crate::finding::{Finding, Verdict};
 use crate::law::{Law, Reads, mirror, relabelling, time_reversal};
 use crate::oracle::{Allowance, Oracle};
 use crate::physics::invariants::Invariant;
 use crate::scene::Scene;
-use crate::study::compare::{TABLE_CAPTION, table_picture};
 use crate::study::matrix::{Configuration, Ran, Runner};
 use crate::trace::{Counter, Ending, Record, Trace};
 
@@ -40,8 +39,8 @@ pub struct Judged {
     pub ulp: f64,
     /// Indices in [`RULES`] of those whose invariant the engine promises.
     pub promised: Vec<usize>,
-    /// Paths on the table, with the place where it broke.
-    pub picture: Option<Figure>,
+    /// The run that broke, where pictures are asked for.
+    pub broken: Option<Box<Trace>>,
 }
 
 impl Judged {
@@ -108,7 +107,7 @@ impl Judged {
             ending: None,
             ulp: f64::EPSILON,
             promised: Vec::new(),
-            picture: None,
+            broken: None,
         }
     }
 }
@@ -147,7 +146,7 @@ pub fn run(
     let mut judged = examined.judged;
     let own_step = !matches!(planned.role, super::plan::Role::Step(..));
     if picture && own_step && judged.verdict == Verdict::Breaks && events {
-        judged.picture = Some(draw(scene, &column.label(), &examined.ran.trace, &judged));
+        judged.broken = Some(Box::new(examined.ran.trace));
     }
     judged
 }
@@ -231,7 +230,7 @@ pub fn judge(evidence: &Evidence<'_>) -> Judged {
         judgements,
         ending: Some((evidence.trace.ending.id(), evidence.trace.end_time)),
         ulp: evidence.allowance.ulp,
-        picture: None,
+        broken: None,
     };
     judged.why = judged
         .spoken()
@@ -282,30 +281,4 @@ pub fn apart(
         Err(Refusal::Stopped) => None,
         Err(_) => image.must_run.then_some(f64::INFINITY),
     }
-}
-
-/// Paths on the table, and points where it broke.
-fn draw(scene: &Scene, label: &str, trace: &Trace, judged: &Judged) -> Figure {
-    let id = format!("{}-{label}", scene.name).replace([' ', '=', ':', '.'], "-");
-    let mut figure = table_picture(scene, trace, &id);
-    figure.title = format!("{label}: {}", judged.why);
-    figure.caption = format!("{TABLE_CAPTION} Signs: where it broke.");
-    let place = judged.spoken().and_then(|(_, j)| j.place.as_ref());
-    for point in place.map_or(Vec::new(), |place| points(trace, place)) {
-        figure.series.push(Series {
-            name: "broken here".to_owned(),
-            points: vec![point],
-            style: Style::Points,
-        });
-    }
-    figure
-}
-
-fn points(trace: &Trace, place: &FoundAt) -> Vec<[f64; 2]> {
-    let at = |&ball: &usize| {
-        let state = trace.paths.get(ball)?.state_at(place.time)?;
-        let point = [state.position.x, state.position.y];
-        point.iter().all(|x| x.is_finite()).then_some(point)
-    };
-    place.balls.iter().filter_map(at).collect()
 }

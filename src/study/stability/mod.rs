@@ -7,18 +7,15 @@
 mod against;
 mod cell;
 mod evidence;
-mod figures;
-mod page;
 mod plan;
 mod rules;
-mod tables;
-mod words;
 
 pub use cell::{Examined, Judged, VERDICT, apart, examine, judge};
-pub use evidence::{Evidence, FoundAt, Judgement};
-pub use page::{page, summary};
+pub use evidence::{Evidence, FoundAt, Judgement, short};
 pub(super) use plan::tried;
-pub use plan::{PlanError, Planned, Reach, Role, STEPS, presets, reach_of};
+pub use plan::{
+    PlanError, Planned, Reach, Role, STEPS, bounds_in_words, is_swept, presets, reach_of, step_of,
+};
 pub use rules::{RULES, Rule, rule};
 
 use super::matrix::{Configuration, Task, Watch, run_tasks};

@@ -215,7 +215,7 @@ fn what_was_stopped_has_missing_cases_and_is_held_against_nothing() {
     // nothing is held of what did run, either
     for level in Level::ALL {
         let against = held.against("slide", "exact", level);
-        assert_eq!(against, carom::study::check::Against::NotHeld);
+        assert_eq!(against, carom::page::check::Against::NotHeld);
     }
     assert_eq!(held.standing().acceptance(), Err(Refused::CutShort));
 }

@@ -184,7 +184,8 @@ fn a_report_shows_it_and_says_what_it_is() {
     let roster = right();
     let columns = compare::plan(&roster, &[column(&roster)]);
     let scenes = [scene("head-on")];
-    let report = validation::study(&roster, &scenes, &columns, &[], Watch::NONE).unwrap();
+    let outcome = validation::study(&roster, &scenes, &columns, Watch::NONE).unwrap();
+    let report = carom::page::validation::page(&roster, &outcome, &[]);
     let pages = carom::report::site(&report);
     let (_, index) = pages.iter().find(|(name, _)| name == "index.html").unwrap();
     assert!(

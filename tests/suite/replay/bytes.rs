@@ -4,9 +4,9 @@ use super::{compared, scene};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use carom::math::Vec3;
+use carom::page::compare::replay;
 use carom::physics::State;
 use carom::report::replay::data;
-use carom::study::compare::replay;
 use carom::trace::{Knot, Path};
 use serde_json::Value;
 

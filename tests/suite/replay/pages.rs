@@ -4,9 +4,10 @@ use super::{compared, scene};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use carom::finding::{Block, Document};
+use carom::page::compare::LengthUnit;
 use carom::report;
 use carom::scene::{SetName, catalogue};
-use carom::study::compare::{self, ComparisonOutcome, LengthUnit};
+use carom::study::compare::ComparisonOutcome;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -19,7 +20,7 @@ fn page_of(outcome: &ComparisonOutcome) -> String {
         stopped_early: None,
         id: "index".to_owned(),
         title: "a report".to_owned(),
-        pages: vec![compare::page(outcome)],
+        pages: vec![carom::page::compare::page(outcome)],
         ..Document::default()
     };
     let site = report::site(&document);
@@ -89,7 +90,7 @@ fn a_page_of_every_kind_plays_and_weighs_less_than_one_and_a_half_megabytes() {
 fn a_page_runs_only_the_script_and_wears_only_the_style_that_its_policy_names() {
     let outcome = compared(&scene("head-on"), None);
     let with = page_of(&outcome);
-    let mut document = compare::page(&outcome);
+    let mut document = carom::page::compare::page(&outcome);
     document
         .blocks
         .retain(|block| !matches!(block, Block::Replay(_)));
@@ -150,7 +151,7 @@ fn a_page_shows_the_numbers_of_compare() {
     for name in ["report-break", "discs-in-a-box", "report-break-frozen"] {
         let outcome = compared(&scene(name), None);
         let page = page_of(&outcome);
-        let summary = compare::summary(&outcome, LengthUnit::Radius);
+        let summary = carom::page::compare::summary(&outcome, LengthUnit::Radius);
         let json: Value = serde_json::from_str(&report::json::write(&summary)).unwrap();
         let tables = &json["tables"];
         let rows = match outcome.reference {
@@ -216,7 +217,7 @@ fn a_shot_in_which_nobody_parts_has_no_picture_of_a_parting() {
         ("discs-in-a-box", true),
         ("head-on", false),
     ] {
-        let document = compare::page(&compared(&scene(name), None));
+        let document = carom::page::compare::page(&compared(&scene(name), None));
         let id = format!("parting-{name}");
         let figure = document.blocks.iter().find_map(|block| match block {
             Block::Figure(figure) if figure.id == id => Some(figure),
@@ -239,7 +240,8 @@ fn a_shot_in_which_nobody_parts_has_no_picture_of_a_parting() {
 #[test]
 fn a_fragment_links_to_no_file_and_has_every_table() {
     let outcome = compared(&scene("head-on"), Some("stepper"));
-    let fragment = report::html::fragment(&compare::summary(&outcome, LengthUnit::Radius));
+    let fragment =
+        report::html::fragment(&carom::page::compare::summary(&outcome, LengthUnit::Radius));
     assert!(!fragment.contains("href="), "{fragment}");
     assert!(fragment.contains("class=\"lead\"") && fragment.contains("id=\"comparison\""));
     assert!(!fragment.contains("<html") && !fragment.contains("<script"));
@@ -248,7 +250,7 @@ fn a_fragment_links_to_no_file_and_has_every_table() {
 #[test]
 fn too_much_for_a_page_is_said_on_the_page() {
     let outcome = compared(&scene("discs-in-a-box"), Some("exact"));
-    let mut document = compare::page(&outcome);
+    let mut document = carom::page::compare::page(&outcome);
     for block in &mut document.blocks {
         if let Block::Replay(replay) = block {
             let event = replay.runs[0].events[0].clone();

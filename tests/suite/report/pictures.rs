@@ -158,17 +158,18 @@ fn drawn() -> Vec<Figure> {
     ] {
         let scene = catalogue::scene(name).unwrap();
         let outcome = compare::study(&scene, None, &columns, Timing::None, Watch::NONE);
-        figures(&compare::page(&outcome), &mut found);
+        figures(&carom::page::compare::page(&outcome), &mut found);
     }
     for name in ["report-break", "discs-in-a-box"] {
         let scene = catalogue::scene(name).unwrap();
-        let page = horizon::study(&scene, Default::default(), &NEVER).unwrap();
-        figures(&page, &mut found);
+        let outcome = horizon::study(&scene, Default::default(), &NEVER).unwrap();
+        figures(&carom::page::horizon::page(&outcome), &mut found);
     }
     let scene = catalogue::scene("ladder-pockets").unwrap();
     let outcome = effects::study(&scene, &columns, 0.1, Watch::NONE).unwrap();
-    figures(&effects::page(&outcome), &mut found);
-    figures(&curves::study(&columns, Watch::NONE).unwrap(), &mut found);
+    figures(&carom::page::effects::page(&outcome), &mut found);
+    let outcome = curves::study(&columns, Watch::NONE).unwrap();
+    figures(&carom::page::curves::page(&outcome), &mut found);
     let names = ["thin-cut-1e-2", "report-break-frozen", "through-a-ball"];
     let question = stability::Question {
         roster: crate::support::roster().clone(),
@@ -178,7 +179,10 @@ fn drawn() -> Vec<Figure> {
         pictures: true,
     };
     let outcome = stability::study(question, Watch::NONE).unwrap();
-    figures(&stability::page(&outcome, &|_, _| false), &mut found);
+    figures(
+        &carom::page::stability::page(&outcome, &|_, _| false),
+        &mut found,
+    );
     found
 }
 

@@ -46,7 +46,7 @@ fn the_pictures_of_the_matrix_show_every_verdict_of_their_tables() {
         &["thin-cut-1e-2", "report-break-frozen", "through-a-ball"],
         &["exact", "stepper"],
     );
-    let document = stability::page(&outcome, &|_, _| false);
+    let document = carom::page::stability::page(&outcome, &|_, _| false);
     let table = |id: &str| {
         let mut tables = document.blocks.iter().filter_map(|block| match block {
             Block::Table(table) if table.id == id => Some(table),

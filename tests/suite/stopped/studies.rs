@@ -3,9 +3,10 @@
 use super::{STOPPED, moments, stopped_after, undisturbed};
 use carom::engine::{Limits, Refusal};
 use carom::finding::{Block, Document, Finding};
+use carom::page::compare::LengthUnit;
 use carom::scene::perturb::Law;
 use carom::scene::{Scene, catalogue};
-use carom::study::compare::{LengthUnit, default_columns};
+use carom::study::compare::default_columns;
 use carom::study::cost::Grid;
 use carom::study::matrix::{Effort, run_one, run_row, time_alone};
 use carom::study::{
@@ -91,7 +92,7 @@ fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
     let whole = undisturbed(ask);
     let all = whole.entries.len();
     says_so(
-        &compare::summary(&whole, LengthUnit::Radius),
+        &carom::page::compare::summary(&whole, LengthUnit::Radius),
         false,
         "whole",
     );
@@ -119,8 +120,8 @@ fn a_comparison_compares_no_engine_that_did_not_come_to_its_end() {
         assert_eq!(outcome.reference_was_stopped(), k == 0, "{case}");
         // after the last engine the horizon is still open
         assert!(outcome.extent.is_cut_short(), "{case}");
-        says_so(&compare::page(&outcome), true, &case);
-        let lead = compare::summary(&outcome, LengthUnit::Radius).lead;
+        says_so(&carom::page::compare::page(&outcome), true, &case);
+        let lead = carom::page::compare::summary(&outcome, LengthUnit::Radius).lead;
         assert!(k > 1 || !lead.contains("as exact"), "{case}: {lead}");
     }
 }
@@ -132,7 +133,7 @@ fn an_ensemble_around_a_comparison_is_whole_or_not_there() {
     let ask = |watch: Watch<'_>| {
         let columns = columns("exact");
         let answer = Answer::to(&scene, &columns, Timing::None, 10_000, watch);
-        answer.unwrap().summary(LengthUnit::Radius)
+        carom::page::answer::summary(&answer.unwrap(), LengthUnit::Radius)
     };
     let whole = undisturbed(ask);
     says_so(&whole, false, "whole");
@@ -151,7 +152,8 @@ fn a_horizon_that_was_stopped_says_nothing_else() {
     let scene = scene("head-on");
     for (stop, stopped) in [(false, false), (true, true)] {
         let stop = AtomicBool::new(stop);
-        let document = horizon::study(&scene, Default::default(), &stop).unwrap();
+        let outcome = horizon::study(&scene, Default::default(), &stop).unwrap();
+        let document = carom::page::horizon::page(&outcome);
         says_so(&document, stopped, "");
         assert_eq!(document.lead.is_empty(), stopped, "{}", document.lead);
         assert_eq!(tables(&document).is_empty(), stopped);
@@ -173,7 +175,7 @@ fn an_ensemble_counts_only_samples_that_every_engine_ran() {
         ensemble::study(plan, watch).unwrap()
     };
     let whole = undisturbed(ask);
-    says_so(&ensemble::summary(&whole), false, "whole");
+    says_so(&carom::page::ensemble::summary(&whole), false, "whole");
     // progress is told for every fourth cell
     for k in [0, 1, 20, 100, 199] {
         let case = format!("stopped after {k}");
@@ -192,8 +194,10 @@ fn an_ensemble_counts_only_samples_that_every_engine_ran() {
         for frequent in &outcome.frequent {
             assert_eq!(frequent.words, "", "{case}");
         }
-        says_so(&ensemble::page(&outcome), true, &case);
-        let words = ensemble::summary(&outcome).stopped_early.unwrap();
+        says_so(&carom::page::ensemble::page(&outcome), true, &case);
+        let words = carom::page::ensemble::summary(&outcome)
+            .stopped_early
+            .unwrap();
         let count = match outcome.done {
             0 => format!("none of {samples} samples"),
             done => format!("{done} of {samples} samples"),
@@ -204,7 +208,7 @@ fn an_ensemble_counts_only_samples_that_every_engine_ran() {
     let outcome = stopped_after(200, ask);
     assert_eq!(outcome.done, samples);
     says_so(
-        &ensemble::page(&outcome),
+        &carom::page::ensemble::page(&outcome),
         !outcome.frequent.is_empty(),
         "200",
     );
@@ -216,7 +220,7 @@ fn an_ablation_concludes_from_combinations_that_every_engine_ran() {
     let list = columns("exact,stepper:contact=approaching-only");
     let ask = |watch: Watch<'_>| effects::study(&scene, &list, 0.1, watch).unwrap();
     let whole = undisturbed(ask);
-    says_so(&effects::summary(&whole), false, "whole");
+    says_so(&carom::page::effects::summary(&whole), false, "whole");
     let rows = whole.plan.rows.len();
     assert!(rows > 3);
     for k in 0..=rows {
@@ -227,14 +231,14 @@ fn an_ablation_concludes_from_combinations_that_every_engine_ran() {
         for cell in outcome.cells.iter().flatten() {
             assert!(!matches!(cell, Err(Refusal::Stopped)), "{case}");
         }
-        says_so(&effects::page(&outcome), true, &case);
+        says_so(&carom::page::effects::page(&outcome), true, &case);
     }
 }
 
 #[test]
 fn curves_are_whole_or_not_there() {
     let list = columns("exact");
-    let ask = |watch: Watch<'_>| curves::study(&list, watch).unwrap();
+    let ask = |watch: Watch<'_>| carom::page::curves::page(&curves::study(&list, watch).unwrap());
     let whole = undisturbed(ask);
     says_so(&whole, false, "whole");
     for k in 0..=4 {
@@ -259,7 +263,7 @@ fn cost_judges_only_ladders_that_were_run_from_every_start() {
         cost::study(crate::support::roster(), &scene, &named, Grid::Small, watch)
     };
     let whole = undisturbed(ask);
-    says_so(&cost::page(&whole), false, "whole");
+    says_so(&carom::page::cost::page(&whole), false, "whole");
     assert!(!whole.stopped && whole.families.iter().all(|m| m.whole));
     let (mut judged, mut cut) = (0, 0);
     // errors first, then causes, then times
@@ -268,8 +272,12 @@ fn cost_judges_only_ladders_that_were_run_from_every_start() {
         let k = all * part / 10;
         let case = format!("stopped after {k} of {all}");
         let outcome = stopped_after(k, ask);
-        says_so(&cost::summary(&outcome), outcome.stopped, &case);
-        says_so(&cost::page(&outcome), outcome.stopped, &case);
+        says_so(
+            &carom::page::cost::summary(&outcome),
+            outcome.stopped,
+            &case,
+        );
+        says_so(&carom::page::cost::page(&outcome), outcome.stopped, &case);
         for (measured, all) in outcome.families.iter().zip(&whole.families) {
             for (point, same) in measured.points.iter().zip(&all.points) {
                 assert!(
@@ -289,7 +297,7 @@ fn cost_judges_only_ladders_that_were_run_from_every_start() {
         }
         if outcome.levels.is_cut_short() {
             assert!(outcome.stopped, "{case}");
-            let page = cost::page(&outcome);
+            let page = carom::page::cost::page(&outcome);
             let shown: Vec<String> = tables(&page).into_keys().collect();
             assert_eq!(shown, ["families", "settings"], "{case}");
         }
@@ -317,7 +325,11 @@ fn random_scenes_count_where_every_engine_ran_them() {
             assert_eq!(endings, outcome.done, "{k}: {:?}", entry.endings);
             assert!(!entry.endings.contains_key("cancelled"), "{k}");
         }
-        says_so(&random::summary(&outcome), true, &format!("{k}"));
+        says_so(
+            &carom::page::random::summary(&outcome),
+            true,
+            &format!("{k}"),
+        );
     }
     // after the last of them there is nothing left to stop
     assert_eq!(stopped_after(10, ask).stopped_early(), None);
@@ -331,7 +343,8 @@ fn mutated_inputs_count_once_they_were_read() {
         inputs: 640,
         seed: 5,
     };
-    let ask = |watch: Watch<'_>| mutation::summary(&mutation::study(plan, &examples, watch));
+    let ask =
+        |watch: Watch<'_>| carom::page::mutation::summary(&mutation::study(plan, &examples, watch));
     for k in [0, 1, 4, 9, 10] {
         says_so(&stopped_after(k, ask), k < 10, &format!("{k}"));
     }
@@ -351,7 +364,7 @@ fn hard_cases_are_judged_by_whole_runs() {
     };
     let whole = undisturbed(ask);
     let none = |_: usize, _: &str| false;
-    says_so(&stability::page(&whole, &none), false, "whole");
+    says_so(&carom::page::stability::page(&whole, &none), false, "whole");
     for k in [0, 1, 2, 3, 5, 9] {
         let case = format!("stopped after {k}");
         let outcome = stopped_after(k, ask);
@@ -359,7 +372,11 @@ fn hard_cases_are_judged_by_whole_runs() {
         for index in 0..2 {
             all_among(&outcome.findings(index), &whole.findings(index), &case);
         }
-        says_so(&stability::summary(&outcome, &none), true, &case);
+        says_so(
+            &carom::page::stability::summary(&outcome, &none),
+            true,
+            &case,
+        );
     }
 }
 
@@ -376,15 +393,15 @@ fn a_check_finds_what_whole_runs_say() {
         .unwrap()
     };
     let whole = undisturbed(ask);
-    let none = |_: &str, _: &str, _: check::Level| check::Against::Changed(0);
-    says_so(&check::summary(&whole, &none), false, "whole");
+    let none = |_: &str, _: &str, _: check::Level| carom::page::check::Against::Changed(0);
+    says_so(&carom::page::check::summary(&whole, &none), false, "whole");
     for k in [0, 1, 2, 3, 5, 8] {
         let case = format!("stopped after {k}");
         let outcome = stopped_after(k, ask);
         assert!(outcome.missing() > 0, "{case}");
         all_among(&outcome.findings, &whole.findings, &case);
-        says_so(&check::page(&outcome, &none), true, &case);
-        let document = check::summary(&outcome, &none);
+        says_so(&carom::page::check::page(&outcome, &none), true, &case);
+        let document = carom::page::check::summary(&outcome, &none);
         let text = carom::report::render(&document, "text").unwrap();
         assert!(!text.contains("same"), "{case}: {text}");
     }
@@ -395,7 +412,9 @@ fn a_report_has_the_scenes_that_were_compared_to_the_end() {
     let scenes = [scene("head-on"), scene("slide"), scene("three-ball")];
     let list = columns("exact,stepper");
     let ask = |watch: Watch<'_>| {
-        validation::study(crate::support::roster(), &scenes, &list, &[], watch).unwrap()
+        let roster = crate::support::roster();
+        let outcome = validation::study(roster, &scenes, &list, watch).unwrap();
+        carom::page::validation::page(roster, &outcome, &[])
     };
     // it is told which scene comes next, then that the claims do
     for k in 0..=4 {
