@@ -5,6 +5,7 @@
 
 mod alignment;
 mod attribution;
+mod closest;
 mod contact;
 mod divergence;
 mod final_position;
@@ -18,6 +19,7 @@ mod turned;
 
 pub use alignment::{Order, Parting, align, align_to_parting};
 pub use attribution::{Attribution, attribute, largest_distance_at_end, timing};
+pub use closest::{ClosestHits, closest_hits};
 pub use contact::{
     ContactHits, ContactPhase, apart, believed_phases, contact_phases, error_at_begin,
     error_at_end, hits_in,

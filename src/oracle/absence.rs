@@ -2,7 +2,7 @@
 
 use super::engine;
 use crate::engine::Refusal;
-use crate::trace::Trace;
+use crate::trace::{Ending, Trace};
 
 /// What is said where the reference cannot say how far its own run can be believed.
 pub const NOTHING: &str = "the exact engine has nothing to hold it against";
@@ -20,7 +20,33 @@ pub enum Absence<'a> {
     Ended(&'a Trace),
 }
 
+/// What kind of absence it is: these are told apart wherever one is spoken of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lack {
+    /// Nobody asked for the reference, or the user asked to stop before its end.
+    NotAsked,
+    /// The reference does not run the scene.
+    Refused,
+    /// The physics of the scene has no one answer from then on, s.
+    NotUnique(f64),
+    /// The reference stopped there, s, and says nothing of what comes after.
+    StoppedAt(f64),
+}
+
 impl Absence<'_> {
+    /// Its kind.
+    pub fn lack(self) -> Lack {
+        match self {
+            Absence::NotAsked | Absence::Stopped => Lack::NotAsked,
+            Absence::Refused(_) => Lack::Refused,
+            Absence::Ended(trace) => match trace.ending {
+                Ending::Cancelled => Lack::NotAsked,
+                Ending::Indeterminate(_) => Lack::NotUnique(trace.end_time),
+                _ => Lack::StoppedAt(trace.end_time),
+            },
+        }
+    }
+
     /// In one sentence. `ended`: how a run ended.
     pub fn in_words(self, ended: impl FnOnce(&Trace) -> String) -> String {
         match self {
@@ -48,7 +74,6 @@ mod tests {
     use crate::engine::{Limits, Roster};
     use crate::oracle::is_reference;
     use crate::scene::catalogue;
-    use crate::trace::Ending;
 
     fn run(max_events: u64) -> Trace {
         let scene = catalogue::scene("report-break").unwrap_or_else(|error| panic!("{error}"));

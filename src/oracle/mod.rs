@@ -17,7 +17,7 @@ pub use crate::engine::exact::place_errors;
 pub use crate::engine::exact::sensitivity::{
     Growth, Influence, Input, Lost, Why, growth, influences,
 };
-pub use absence::{Absence, NOTHING, answer};
+pub use absence::{Absence, Lack, NOTHING, answer};
 pub use answer::{Allowance, Oracle, rounding};
 pub use horizon::{BAND, Horizon, Limit, MOST_BALLS, Sight, believed_until, horizon};
 

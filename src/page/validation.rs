@@ -6,6 +6,7 @@ use crate::finding::{
     Axis, Block, Cell, Column as TableColumn, Document, Figure, Series, Style, Table, Tone,
 };
 use crate::math::worse;
+use crate::oracle::{self, Lack};
 use crate::study::Configuration;
 use crate::study::compare::{Cause, ComparisonEntry, ComparisonOutcome, PairOutcome};
 use crate::study::cost::PriceList;
@@ -155,7 +156,13 @@ fn capitalised(sentence: String) -> String {
 /// Why two engines part in a scene: what moved the first of them to leave the exact solution.
 fn reason(outcome: &ComparisonOutcome, rivals: [&Configuration; 2]) -> String {
     if outcome.reference.is_none() {
-        return "simultaneous hits leave no single right answer".to_owned();
+        let solver = oracle::engine().id();
+        return match outcome.lack {
+            Some(Lack::NotUnique(_)) => "simultaneous hits leave no single right answer".to_owned(),
+            Some(Lack::StoppedAt(time)) => format!("{solver} stopped at t = {time:.4} s"),
+            Some(Lack::Refused) => format!("{solver} refuses the scene"),
+            Some(Lack::NotAsked) | None => format!("{solver} was not asked"),
+        };
     }
     let labels = rivals.map(Configuration::label);
     let own = outcome.entries.iter();

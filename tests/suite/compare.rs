@@ -2,8 +2,9 @@
 
 use crate::support::{G, MU, R, report_break, run, scenario};
 use approx::assert_relative_eq;
-use carom::compare::{Comparison, attribute, deepest_overlap, of_pair, of_trace, timing};
+use carom::compare::{Comparison, METRICS, attribute, deepest_overlap, of_pair, of_trace, timing};
 use carom::engine::{Limits, Setting};
+use carom::finding::{Block, Cell};
 use carom::math::Vec3;
 use carom::oracle::Precision;
 use carom::oracle::{BAND, horizon};
@@ -206,6 +207,89 @@ fn without_an_exact_answer_the_engines_are_held_against_each_other() {
 }
 
 #[test]
+fn what_is_not_unique_and_what_the_reference_does_not_reach_are_told_apart() {
+    let both = [("exact", ""), ("stepper", "")];
+    let collapsing = [("exact", "contacts=collapse"), ("stepper", "")];
+    let cases: [(&str, &[(&str, &str)], &str, bool); 2] = [
+        (
+            "report-break-frozen",
+            &both,
+            "No single right answer from t = ",
+            true,
+        ),
+        (
+            "accumulate-three",
+            &collapsing,
+            "exact stopped at t = ",
+            false,
+        ),
+    ];
+    for (name, columns, begins, unique) in cases {
+        let outcome = compared(&catalogue::scene(name).unwrap(), columns);
+        assert!(outcome.reference.is_none(), "{name}");
+        let headline = carom::page::compare::headline(&outcome);
+        assert!(headline.starts_with(begins), "{name}: {headline}");
+        assert_eq!(
+            headline.contains("right answer"),
+            unique,
+            "{name}: {headline}"
+        );
+    }
+}
+
+#[test]
+fn the_page_of_a_scene_has_every_metric_of_every_engine() {
+    let scene = catalogue::scene("oblique").unwrap();
+    let outcome = compared(
+        &scene,
+        &[("exact", ""), ("stepper", ""), ("rapier-f64", "")],
+    );
+    let page = carom::page::compare::page(&outcome);
+    let table = page.blocks.iter().find_map(|block| match block {
+        Block::Table(table) if table.id == "metrics" => Some(table),
+        _ => None,
+    });
+    let table = table.unwrap();
+    let ids: Vec<String> = table
+        .rows
+        .iter()
+        .map(|row| format!("{:?}", row[0]))
+        .collect();
+    for (metric, id) in METRICS.iter().zip(&ids) {
+        assert!(id.contains(metric.id), "{id}");
+    }
+    assert_eq!(ids.len(), METRICS.len());
+    // by the findings themselves, read without the table
+    for (column, head) in table.columns.iter().enumerate().skip(3) {
+        for (metric, row) in METRICS.iter().zip(&table.rows) {
+            let own = outcome.findings.iter();
+            let own = own.filter(|f| f.engine == head.title && f.metric == metric.id);
+            let values: Vec<f64> = own.filter_map(|f| f.value).collect();
+            let worst = values.iter().copied().reduce(f64::max);
+            assert_eq!(
+                row[column],
+                Cell::maybe(worst),
+                "{} {}",
+                head.title,
+                metric.id
+            );
+        }
+    }
+    let told = |id: &str, column: usize| {
+        let row = METRICS.iter().position(|metric| metric.id == id).unwrap();
+        table.rows[row][column] != Cell::Empty
+    };
+    // two engines against each other have no momentum of their own
+    let alone = |column: &usize| !table.columns[*column].title.contains('|');
+    for column in (3..table.columns.len()).filter(alone) {
+        assert!(
+            told("momentum", column) || told("overlap", column),
+            "{column}"
+        );
+    }
+}
+
+#[test]
 fn richer_scene_measures_what_the_poorer_one_leaves_out() {
     let shot = |mu: f64| {
         scenario("shot")
@@ -329,4 +413,39 @@ fn a_ball_that_falls_elsewhere_is_counted() {
         }
     }
     assert_eq!(fallen(&elsewhere), 1.0);
+}
+
+#[test]
+fn hits_that_overlap_in_real_balls_are_named_and_others_are_not() {
+    let said = |name: &str| -> Option<String> {
+        let outcome = compared(&catalogue::scene(name).unwrap(), &[("exact", "")]);
+        let unit = carom::page::compare::LengthUnit::Radius;
+        let page = carom::page::compare::summary(&outcome, unit);
+        page.blocks.iter().find_map(|block| match block {
+            Block::Text(words) if words.contains("is hit twice within") => Some(words.clone()),
+            _ => None,
+        })
+    };
+    let scene = catalogue::scene("report-break").unwrap();
+    let trace = run("exact", &[], &scene, Record::Events);
+    let mut least = (f64::INFINITY, 0, 0.0);
+    for ball in 0..scene.balls.len() as u32 {
+        let own = trace.events.iter().filter(|event| match event.kind {
+            EventKind::BallBall(a, b) => a == ball || b == ball,
+            _ => false,
+        });
+        let times: Vec<f64> = own.map(|event| event.time).collect();
+        for pair in times.windows(2) {
+            if pair[1] - pair[0] < least.0 {
+                least = (pair[1] - pair[0], ball, pair[1]);
+            }
+        }
+    }
+    assert!(least.0 > 0.0 && least.0 < 200e-6, "{least:?}");
+    let words = said("report-break").unwrap();
+    let id = &scene.balls[least.1 as usize].id;
+    let time = format!("t = {:.4} s", least.2);
+    assert!(words.contains(&time), "{words} {time}");
+    assert!(words.starts_with(&format!("Ball {id} ")), "{words}");
+    assert_eq!(said("oblique"), None);
 }

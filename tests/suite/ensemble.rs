@@ -296,7 +296,8 @@ fn an_engine_differs_from_itself_in_nothing_and_from_one_that_steps_coarsely_in_
     // a step of 20 ms is a ball's way of a radius: every ball that moves far tells
     assert!(of(2).filter(|t| t.differs).count() > 16);
     let text = render(&summary(&outcome), "text").unwrap();
-    assert!(text.contains("for all 96 tests"), "{text}");
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("for all 96 tests"), "{text}");
 }
 
 #[test]
@@ -415,6 +416,27 @@ fn the_page_has_every_distribution_and_its_command_prints_the_same() {
         .iter()
         .filter(|block| matches!(block, Block::Figure(figure) if !figure.series.is_empty()));
     assert_eq!(figures.count(), 3);
+    for block in &page.blocks {
+        let units: Vec<&str> = match block {
+            Block::Table(table) => table.columns.iter().map(|c| c.unit.as_str()).collect(),
+            Block::Figure(figure) => vec![&figure.x.unit, &figure.y.unit],
+            _ => continue,
+        };
+        let one = |unit: &&str| ["", "R", "s"].contains(unit);
+        assert!(units.iter().all(one), "{units:?}");
+    }
+    let note = |id: &str| {
+        page.blocks.iter().find_map(|block| match block {
+            Block::Table(table) if table.id == id => Some(table.note.clone()),
+            _ => None,
+        })
+    };
+    for id in ["balls", "quantiles-x"] {
+        assert!(
+            note(id).unwrap().contains("reaches the end: all 20."),
+            "{id}"
+        );
+    }
     let command = page.blocks.iter().find_map(|block| match block {
         Block::Command(command) => Some(command.clone()),
         _ => None,
@@ -486,5 +508,23 @@ fn what_cannot_run_ends_with_2_and_says_what_would_be_right() {
         assert_eq!(output.status.code(), Some(2), "{all:?}: {message}");
         assert!(message.contains(wanted), "{all:?}: {message}");
         assert!(output.stdout.is_empty(), "{all:?}");
+    }
+}
+
+#[test]
+fn a_mean_over_samples_that_their_outcome_has_chosen_says_so() {
+    let scene = catalogue::scene("accumulate-three").unwrap();
+    let outcome = ensemble(
+        &scene,
+        3,
+        &[("exact", "contacts=collapse"), ("stepper", "dt=1e-2")],
+    );
+    let text = render(&summary(&outcome), "text").unwrap();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let complete = outcome.entries[0].complete().count();
+    assert!(complete < 3, "{complete}");
+    let counted = format!("exact contacts=collapse {complete} of 3, stepper dt=1e-2 3 of 3");
+    for part in [&*counted, "is chosen by its outcome"] {
+        assert!(words.contains(part), "{part}: {text}");
     }
 }

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod figures;
+mod metrics;
 mod parting;
 mod replay;
 mod scale;
@@ -11,9 +12,11 @@ pub use figures::{TABLE_CAPTION, table_picture};
 pub use replay::replay;
 pub use scale::LengthUnit;
 
+use crate::compare::closest_hits;
 use crate::finding::{Block, Cell, Document};
+use crate::oracle::{self, Lack};
 use crate::study::compare::{ComparisonOutcome, PairOutcome, Standing};
-use crate::words::{describe_ending, describe_horizon, describe_scene, listed};
+use crate::words::{describe_ending, describe_horizon, describe_scene, describe_span, listed};
 use scale::Scale;
 use tables::{
     CONTACTS, attribution_table, ball_table, comparison_table, contact_table, divergence_table,
@@ -30,6 +33,7 @@ pub fn summary(outcome: &ComparisonOutcome, unit: LengthUnit) -> Document {
         Block::Text(describe_scene(&outcome.scene)),
         Block::Text(reference_line(outcome)),
     ];
+    blocks.extend(overlapping_hits(outcome).map(Block::Text));
     blocks.push(Block::Table(comparison_table(outcome, &scale)));
     blocks.extend(first_differences(outcome).map(Block::Table));
     blocks.extend(contact_table(outcome, &scale).map(Block::Table));
@@ -103,6 +107,8 @@ pub fn page(outcome: &ComparisonOutcome) -> Document {
         "What each run says against itself".to_owned(),
     ));
     blocks.push(Block::Table(sanity_table(outcome, &scale)));
+    blocks.push(Block::Heading("Everything that was measured".to_owned()));
+    blocks.push(Block::Table(metrics::table(outcome)));
     blocks.push(Block::Heading("What each engine was told".to_owned()));
     blocks.push(Block::Table(sheet(outcome)));
     blocks.push(Block::Table(settings(outcome)));
@@ -138,11 +144,7 @@ pub fn headline(outcome: &ComparisonOutcome) -> String {
     });
     let mut sentences: Vec<String> = sentences.collect();
     if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
-        let what = match outcome.reference_was_stopped() {
-            true => "Nothing to hold the engines against",
-            false => "No single right answer",
-        };
-        sentences.push(format!("{what}: {why}"));
+        sentences.push(format!("{}: {why}", lacking(outcome)));
         sentences.extend(
             outcome
                 .pairs
@@ -152,6 +154,17 @@ pub fn headline(outcome: &ComparisonOutcome) -> String {
     }
     let text = sentences.join("; ");
     if text.is_empty() { text } else { text + "." }
+}
+
+/// Why there is nothing to hold the engines against: the physics has no one answer, or the reference stopped, refused, or was not asked.
+fn lacking(outcome: &ComparisonOutcome) -> String {
+    let solver = oracle::engine().id();
+    match outcome.lack {
+        Some(Lack::NotUnique(time)) => format!("No single right answer from t = {time:.4} s on"),
+        Some(Lack::StoppedAt(time)) => format!("{solver} stopped at t = {time:.4} s"),
+        Some(Lack::Refused) => format!("{solver} refuses the scene"),
+        Some(Lack::NotAsked) | None => "Nothing to hold the engines against".to_owned(),
+    }
 }
 
 /// What an engine does to the exact order of collisions, as the rest of a sentence; `~` stands for the s of one engine.
@@ -206,6 +219,31 @@ fn reference_line(outcome: &ComparisonOutcome) -> String {
                 .unwrap_or("no run is complete")
         ),
     }
+}
+
+/// Two phenolic balls of some 3 cm touch for about this long, s (Hertz).
+const TOUCH: f64 = 200e-6;
+/// Radii of balls of which that is true, m.
+const OF_BILLIARDS: std::ops::Range<f64> = 0.02..0.04;
+
+/// That hits are closer in the reference than real balls touch: it has one right answer for impulses, which take no time.
+fn overlapping_hits(outcome: &ComparisonOutcome) -> Option<String> {
+    let scene = &outcome.scene;
+    let units = &scene.units;
+    let metre = (units.length == "m").then_some(1.0);
+    let metres = scene.smallest_radius() * units.length_in_metres.or(metre)?;
+    let trace = outcome.entries[outcome.reference?].trace()?;
+    let hits = closest_hits(trace, false)?;
+    (OF_BILLIARDS.contains(&metres) && hits.apart < TOUCH).then(|| {
+        format!(
+            "Ball {} is hit twice within {} at t = {:.4} s: real balls touch for some {}, so their hits overlap there, and the one right answer is \
+             that of impulses.",
+            scene.balls[hits.ball].id,
+            describe_span(hits.apart),
+            hits.time,
+            describe_span(TOUCH)
+        )
+    })
 }
 
 /// How far the reference can be believed, and what to do beyond.

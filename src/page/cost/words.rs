@@ -32,7 +32,7 @@ pub fn sentence(outcome: &CostOutcome) -> String {
             .filter_map(|engine| price::cheapest(of_engine(&offers, engine), error))
             .collect();
         best.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        let out_of_reach: Vec<&str> = engines
+        let unreached: Vec<&str> = engines
             .iter()
             .filter(|engine| !best.iter().any(|offer| offer.engine() == **engine))
             .copied()
@@ -56,8 +56,12 @@ pub fn sentence(outcome: &CostOutcome) -> String {
                 costs.join(", ")
             ),
         };
-        if !costs.is_empty() && !out_of_reach.is_empty() {
-            sentence += &format!("; out of reach for {}", out_of_reach.join(", "));
+        if !costs.is_empty() && !unreached.is_empty() {
+            let grid = outcome.grid.id();
+            sentence += &format!(
+                "; not reached on the {grid} grid by {}",
+                unreached.join(", ")
+            );
         }
         sentences.push(sentence + ".");
     }

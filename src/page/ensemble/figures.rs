@@ -11,7 +11,8 @@ const MOST_STEPS: usize = 400;
 /// Final positions of all balls, one picture an engine.
 pub(super) fn landings(outcome: &EnsembleOutcome) -> Vec<Figure> {
     let scene = &outcome.plan.scene;
-    let unit = &scene.units.length;
+    // as every table of the page
+    let radius = scene.smallest_radius();
     let cue = scene.cue_ball();
     let mut figures = Vec::new();
     for entry in &outcome.entries {
@@ -25,7 +26,7 @@ pub(super) fn landings(outcome: &EnsembleOutcome) -> Vec<Figure> {
             runs.flat_map(|(_, landing)| {
                 let own = landing.at.iter().enumerate();
                 own.filter(|(ball, _)| balls(*ball))
-                    .filter_map(|(_, at)| *at)
+                    .filter_map(|(_, at)| at.map(|place| place.map(|x| x / radius)))
                     .collect::<Vec<_>>()
             })
             .collect()
@@ -49,10 +50,12 @@ pub(super) fn landings(outcome: &EnsembleOutcome) -> Vec<Figure> {
             caption: format!(
                 "Centres of the balls in the first {shown} of {complete} complete samples."
             ),
-            x: Axis::linear("x", unit),
-            y: Axis::linear("y", unit),
+            x: Axis::linear("x", "R"),
+            y: Axis::linear("y", "R"),
             equal_scale: true,
-            outline: scene.table.map(|table| [table.min, table.max]),
+            outline: scene
+                .table
+                .map(|table| [table.min, table.max].map(|corner| corner.map(|x| x / radius))),
             series,
             marks: Vec::new(),
         });
@@ -85,12 +88,14 @@ pub(super) fn telling(outcome: &EnsembleOutcome) -> Option<Figure> {
         }
     };
     let quantity = Quantity::ALL[which];
+    let (scale, unit) = quantity.scale(scene);
     let series = outcome.entries.iter().filter_map(|entry| {
+        let steps = entry.distributions[ball][which]
+            .as_ref()?
+            .staircase(MOST_STEPS);
         Some(Series {
             name: entry.label(),
-            points: entry.distributions[ball][which]
-                .as_ref()?
-                .staircase(MOST_STEPS),
+            points: steps.into_iter().map(|[x, y]| [x / scale, y]).collect(),
             style: Style::Line,
         })
     });
@@ -99,7 +104,7 @@ pub(super) fn telling(outcome: &EnsembleOutcome) -> Option<Figure> {
         id: "distribution".to_owned(),
         title: format!("Distribution of the {} of ball {id}", quantity.title()),
         caption: format!("Of all balls and quantities this one {what}."),
-        x: Axis::linear(quantity.title(), quantity.unit(scene)),
+        x: Axis::linear(quantity.title(), unit),
         y: Axis::linear("part of the samples at or below", ""),
         equal_scale: false,
         outline: None,

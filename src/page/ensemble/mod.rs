@@ -56,6 +56,24 @@ pub fn page(outcome: &EnsembleOutcome) -> Document {
     document
 }
 
+/// Over which samples means and deviations are taken: where an engine does not reach the end in all of them, its outcome has chosen them.
+fn covered(outcome: &EnsembleOutcome) -> String {
+    let done = outcome.done;
+    let each = outcome.entries.iter().map(|entry| {
+        let complete = entry.complete().count();
+        (complete, format!("{} {complete} of {done}", entry.label()))
+    });
+    let (counts, parts): (Vec<usize>, Vec<String>) = each.unzip();
+    let mean = "Mean and standard deviation are over the samples whose run reaches the end";
+    if counts.iter().all(|complete| *complete == done) {
+        return format!("{mean}: all {done}.");
+    }
+    let parts = parts.join(", ");
+    format!(
+        "{mean}: {parts}. What is left out is chosen by its outcome, so these are no means over all samples."
+    )
+}
+
 /// The command that prints the same.
 fn command(outcome: &EnsembleOutcome) -> String {
     let plan = &outcome.plan;
@@ -312,12 +330,13 @@ fn ball_table(outcome: &EnsembleOutcome) -> Table {
         .map(|index| outcome.entries[index].label());
     let note = if let Some(reference) = reference.filter(|_| several) {
         format!(
-            "Mean and standard deviation over the complete runs. Differs: by Kolmogorov and Smirnov against {reference}, with a \
+            "{} Differs: by Kolmogorov and Smirnov against {reference}, with a \
              p-value below {LEVEL} after Holm's correction for all {} tests here, and by more than {NEGLIGIBLE:e} R.",
+            covered(outcome),
             outcome.tests.len()
         )
     } else {
-        "Mean and standard deviation over the complete runs.".to_owned()
+        covered(outcome)
     };
     Table {
         id: "balls".to_owned(),
@@ -394,8 +413,7 @@ fn quantity_table(outcome: &EnsembleOutcome, which: usize, quantity: Quantity) -
         ("95", 0.95),
     ];
     let scene = &outcome.plan.scene;
-    let unit = quantity.unit(scene);
-    let (scale, scale_unit) = quantity.scale(scene);
+    let (scale, unit) = quantity.scale(scene);
     let mut columns = vec![
         Column::words("ball", "ball"),
         Column::words("engine", "engine"),
@@ -410,7 +428,7 @@ fn quantity_table(outcome: &EnsembleOutcome, which: usize, quantity: Quantity) -
         Column::number("distance", "KS distance", ""),
         Column::number("p", "p", ""),
         Column::number("corrected", "p, corrected", ""),
-        Column::number("transport", "moved by", scale_unit),
+        Column::number("transport", "moved by", unit),
         Column::words("verdict", "against the reference"),
     ]);
     let mut rows = Vec::new();
@@ -422,10 +440,11 @@ fn quantity_table(outcome: &EnsembleOutcome, which: usize, quantity: Quantity) -
                 Cell::text(id.clone()),
                 Cell::text(entry.label()),
                 Cell::Count(count as u64),
-                fixed(distribution, |d| Some(d.mean())),
-                fixed(distribution, Distribution::deviation),
+                fixed(distribution, |d| Some(d.mean() / scale)),
+                fixed(distribution, |d| Some(d.deviation()? / scale)),
             ];
-            row.extend(SHARES.map(|(_, share)| fixed(distribution, |d| Some(d.quantile(share)))));
+            let quantile = |share: f64| fixed(distribution, |d| Some(d.quantile(share) / scale));
+            row.extend(SHARES.map(|(_, share)| quantile(share)));
             let test = outcome
                 .tests
                 .iter()
@@ -448,10 +467,11 @@ fn quantity_table(outcome: &EnsembleOutcome, which: usize, quantity: Quantity) -
         }
     }
     let note = format!(
-        "Quantiles are linear between order statistics (definition 7 of Hyndman and Fan). KS: largest distance of the \
+        "{} Quantiles are linear between order statistics (definition 7 of Hyndman and Fan). KS: largest distance of the \
          distribution functions. p is for independent samples, and engines share the samples here, which makes it too large \
          rather than too small. Corrected: after Holm, for all {} tests of this ensemble. Moved by: mean distance by which \
          the one distribution has to be moved to become the other.",
+        covered(outcome),
         outcome.tests.len()
     );
     Table {

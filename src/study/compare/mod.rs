@@ -14,7 +14,7 @@ use super::matrix::{self, Cell, Configuration, Ran, Timing, Watch};
 use crate::compare::{self, Attribution, Comparison, Order, attribute, largest_distance_at_end};
 use crate::engine::{Limits, Refusal, Roster};
 use crate::finding::Finding;
-use crate::oracle::{self, Absence, Growth, Horizon, growth, horizon};
+use crate::oracle::{self, Absence, Growth, Horizon, Lack, growth, horizon};
 use crate::scene::Scene;
 use crate::trace::{Ending, Record, Trace};
 
@@ -37,6 +37,8 @@ pub struct ComparisonOutcome {
     pub reference: Option<usize>,
     /// Why there is no reference, in one sentence.
     pub no_reference: Option<String>,
+    /// Which kind of reason that is.
+    pub lack: Option<Lack>,
     /// Up to which event the reference can be believed; `None` without a reference, or with one in a precision that has no finer one.
     pub horizon: Option<Horizon>,
     /// How a perturbation of the reference grows: of a scene of few balls and events, since it takes a matrix an event.
@@ -240,6 +242,7 @@ fn conclude(
         entries,
         reference: None,
         no_reference: None,
+        lack: None,
         horizon: None,
         growth: None,
         pairs: Vec::new(),
@@ -261,6 +264,7 @@ fn conclude(
             }
         }
         Err(absence) => {
+            outcome.lack = Some(absence.lack());
             outcome.no_reference = Some(absence.in_words(crate::words::describe_ending));
         }
     }

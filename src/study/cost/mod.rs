@@ -22,6 +22,7 @@ pub use verdict::{Fit, GAINS, Kind, Verdict, in_order};
 use super::Extent;
 use super::compare::default_columns;
 use super::matrix::{self, Configuration, Effort, Job, Timed, Watch};
+use crate::compare::closest_hits;
 use crate::engine::{Limits, Roster};
 use crate::math::statistics::Distribution;
 use crate::oracle::{self, Absence, Precision};
@@ -196,7 +197,10 @@ pub fn study(
         _ => longest(roster, &scene, watch),
     };
     let closest_hits = match &no_oracle {
-        None => base.as_ref().and_then(closest_hits),
+        None => {
+            let closest = base.as_ref().and_then(|base| closest_hits(base, true));
+            closest.map(|hits| hits.apart)
+        }
         Some(_) => None,
     };
     let families = plan::families(roster, &scene, named, grid, simulated);
@@ -445,20 +449,4 @@ impl<'a> Runs<'a> {
             outcome.levels.count(has_time && point.whole);
         }
     }
-}
-
-/// The smallest time between two collisions of the same ball, s; `None` where no ball has two.
-fn closest_hits(trace: &Trace) -> Option<f64> {
-    let mut last: Vec<Option<f64>> = vec![None; trace.balls.len()];
-    let mut closest: Option<f64> = None;
-    for event in trace.collisions() {
-        let (first, second) = event.kind.balls();
-        for ball in [Some(first), second].into_iter().flatten() {
-            let gap = last[ball]
-                .replace(event.time)
-                .map(|before| event.time - before);
-            closest = closest.into_iter().chain(gap).reduce(f64::min);
-        }
-    }
-    closest
 }

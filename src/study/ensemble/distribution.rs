@@ -43,15 +43,7 @@ impl Quantity {
         }
     }
 
-    /// Its unit in a scene.
-    pub fn unit(self, scene: &Scene) -> &str {
-        match self {
-            Quantity::X | Quantity::Y => &scene.units.length,
-            Quantity::StopTime => &scene.units.time,
-        }
-    }
-
-    /// What distances of distributions are printed in: R, or the scene's time.
+    /// What it is printed in, everywhere: R, or the scene's time.
     pub fn scale(self, scene: &Scene) -> (f64, &str) {
         match self {
             Quantity::X | Quantity::Y => (scene.smallest_radius(), "R"),
