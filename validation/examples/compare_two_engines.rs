@@ -2,7 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use carom::engine::{Limits, Roster};
-use carom::report::FORMATS;
+use carom::report::{FORMATS, text};
 use carom::study::compare::LengthUnit;
 use carom::study::{Answer, Configuration, Timing, Watch};
 use std::error::Error;
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let answer = Answer::to(&scene, &columns, Timing::None, most, Watch::NONE)?;
     print!(
         "{}",
-        (FORMATS[0].write)(&answer.summary(LengthUnit::Radius))
+        (FORMATS[0].write)(&answer.summary(LengthUnit::Radius), text::WIDTH)
     );
     Ok(())
 }
