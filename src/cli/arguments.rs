@@ -386,7 +386,7 @@ impl Default for ReportArguments {
 }
 
 /// One of the words of a list, as the value that it names. A word that passes the list names one of them: the first is never taken.
-fn choice<T: Clone + Send + Sync + 'static>(
+pub(super) fn choice<T: Clone + Send + Sync + 'static>(
     all: &'static [T],
     id: fn(&T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {

@@ -20,6 +20,7 @@ mod play;
 mod report;
 mod run;
 pub mod scene;
+pub mod scene_list;
 mod stability;
 mod terminal;
 mod versions;

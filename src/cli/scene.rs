@@ -1,8 +1,8 @@
 //! `carom scene`: the catalogue, the check of a file, the schema; and how a SCENE on the command line becomes a scene.
 
 use super::exit::Exit;
+use super::scene_list::{self, ListArguments};
 use super::{Failure, bounds, terminal};
-use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::report::{self, Format};
 use crate::scene::generate::{GenerateError, Recipe, generate};
 use crate::scene::{
@@ -19,8 +19,10 @@ use thiserror::Error;
 /// What `carom scene` can do.
 #[derive(Clone, Debug, Subcommand)]
 pub enum SceneCommand {
-    /// List the scenes of the catalogue.
-    List,
+    /// List the scenes of the catalogue, one a line: name, number of balls, what it is.
+    ///
+    /// What is asked for together must hold together. CSV and JSON have whole descriptions, all sets and effects.
+    List(ListArguments),
     /// Print a scene of the catalogue as written, ready to be saved and changed.
     Show {
         /// Name of the scene.
@@ -113,7 +115,7 @@ impl LoadError {
 /// Does one of the commands below `carom scene`.
 pub(super) fn scene(command: &SceneCommand, format: &Format) -> Result<ExitCode, Failure> {
     match command {
-        SceneCommand::List => terminal::show(&list_document()?, format),
+        SceneCommand::List(arguments) => scene_list::list(arguments, format),
         SceneCommand::Show { name } => terminal::print(show(name)?),
         SceneCommand::Schema => terminal::print(&schema_text()),
         SceneCommand::Generate(arguments) => match generate(&arguments.recipe()) {
@@ -139,13 +141,14 @@ pub(super) fn scene(command: &SceneCommand, format: &Format) -> Result<ExitCode,
 
 /// The scene that SCENE names: a catalogue name or a path.
 ///
-/// A word that could be a name is one; anything with a dot or a slash is a path, as is a name that only a file has.
+/// A word that could be meant as a name is one; anything with a dot or a slash is a path, as is a name that only a file has.
 pub fn resolve(scene: &str) -> Result<Scene, LoadError> {
     if let Some(entry) = catalogue::find(scene) {
         return Ok(entry.scene()?);
     }
     let path = Path::new(scene);
-    if is_kebab_case(scene) && !path.is_file() {
+    let could_be_a_name = !scene.is_empty() && !scene.contains(['.', '/', '\\']);
+    if (is_kebab_case(scene) && !path.is_file()) || (could_be_a_name && !path.exists()) {
         return Err(catalogue::unknown(scene).into());
     }
     load(path)
@@ -178,47 +181,6 @@ fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
         io::ErrorKind::NotFound => unreadable("there is no such file".to_owned()),
         io::ErrorKind::PermissionDenied => unreadable("permission denied".to_owned()),
         _ => unreadable(error.to_string()),
-    })
-}
-
-/// The catalogue as a table.
-pub fn list_document() -> Result<Document, SceneError> {
-    let mut rows = Vec::new();
-    for entry in catalogue::all() {
-        let scene = entry.scene()?;
-        rows.push(vec![
-            Cell::text(&scene.name),
-            Cell::text(
-                scene
-                    .sets
-                    .iter()
-                    .map(|set| set.id())
-                    .collect::<Vec<_>>()
-                    .join(" "),
-            ),
-            Cell::Count(scene.balls.len() as u64),
-            Cell::text(scene.effects.named().join(" ")),
-            Cell::text(&scene.description),
-        ]);
-    }
-    let table = Table {
-        id: "scenes".to_owned(),
-        columns: vec![
-            Column::words("scene", "scene"),
-            Column::words("sets", "sets"),
-            Column::number("balls", "balls", ""),
-            Column::words("effects", "effects"),
-            Column::words("description", "what it is, and what would be right"),
-        ],
-        rows,
-        note: "`carom scene show NAME` prints the file of a scene.".to_owned(),
-        ..Table::default()
-    };
-    Ok(Document {
-        id: "scenes".to_owned(),
-        title: "Scenes".to_owned(),
-        blocks: vec![Block::Table(table)],
-        ..Document::default()
     })
 }
 

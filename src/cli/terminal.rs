@@ -3,7 +3,7 @@
 use super::exit::Exit;
 use super::{Failure, output};
 use crate::finding::Document;
-use crate::report::Format;
+use crate::report::{Format, text};
 use crate::scene::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -19,7 +19,7 @@ static HEEDED: AtomicBool = AtomicBool::new(false);
 
 /// Prints a document to stdout, and answers how a command ends that has nothing else to say.
 pub fn show(document: &Document, format: &Format) -> Result<ExitCode, Failure> {
-    let printed = print(&(format.write)(document))?;
+    let printed = print(&(format.write)(document, width()))?;
     let Some(stopped) = &document.stopped_early else {
         return Ok(printed);
     };
@@ -27,6 +27,28 @@ pub fn show(document: &Document, format: &Format) -> Result<ExitCode, Failure> {
         say(stopped);
     }
     Ok(Exit::StoppedEarly.into())
+}
+
+/// Longest line for whoever reads stdout, in characters.
+pub fn width() -> usize {
+    let out = io::stdout();
+    let told = terminal_size::terminal_size_of(&out).map(|(width, _)| width.0);
+    let columns = std::env::var("COLUMNS").ok();
+    width_of(out.is_terminal(), told, columns.as_deref())
+}
+
+/// The same for a stream that is a terminal or none, with what the terminal tells, and the variable COLUMNS for where it does not: a
+/// terminal on a line tells 0. A file or another program gets lines that do not depend on where they were written.
+fn width_of(is_terminal: bool, told: Option<u16>, columns: Option<&str>) -> usize {
+    if !is_terminal {
+        return text::WIDTH;
+    }
+    let told = told.map(usize::from).filter(|&width| width > 0);
+    let named = || columns.and_then(|columns| columns.trim().parse().ok());
+    told.or_else(named)
+        .filter(|&width| width > 0)
+        .unwrap_or(text::WIDTH)
+        .clamp(text::NARROWEST, text::WIDEST)
 }
 
 /// Writes a result to stdout. A reader that went away (`| head`) is no error.
@@ -138,6 +160,47 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Some(bar) = &self.0 {
             bar.finish_and_clear();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::width_of;
+
+    #[test]
+    fn a_line_is_as_long_as_the_terminal_from_62_to_160_and_100_without_one() {
+        for (is_terminal, told, columns, width, why) in [
+            (true, Some(120), None, 120, "as the terminal tells"),
+            (
+                true,
+                Some(120),
+                Some("80"),
+                120,
+                "the terminal knows better",
+            ),
+            (true, Some(300), None, 160, "rows are lost in longer lines"),
+            (true, Some(20), None, 62, "two columns need room"),
+            (
+                true,
+                Some(0),
+                Some("132"),
+                132,
+                "a terminal that does not know",
+            ),
+            (
+                true,
+                None,
+                Some(" 80 "),
+                80,
+                "a terminal that does not tell",
+            ),
+            (true, None, Some("wide"), 100, "no number"),
+            (true, None, Some("0"), 100, "nothing known"),
+            (true, None, None, 100, "nothing known"),
+            (false, Some(160), Some("160"), 100, "a pipe or a file"),
+        ] {
+            assert_eq!(width_of(is_terminal, told, columns), width, "{why}");
         }
     }
 }

@@ -22,8 +22,9 @@ pub struct Format {
     pub id: &'static str,
     /// What it is for, in a few words.
     pub what: &'static str,
-    /// Writes any document.
-    pub write: fn(&Document) -> String,
+    /// Writes any document. The number is the longest line of a format that aligns its columns, in characters; [`text::WIDTH`] where
+    /// nobody tells.
+    pub write: fn(&Document, usize) -> String,
     /// True where long tables are cut to what a reader of a terminal takes in.
     pub is_cut: bool,
     /// False for tables alone, which have no place for words.
@@ -42,21 +43,21 @@ pub static FORMATS: &[Format] = &[
     Format {
         id: "json",
         what: "one JSON document with the same content and every digit",
-        write: json::write,
+        write: |document, _| json::write(document),
         is_cut: false,
         has_words: true,
     },
     Format {
         id: "csv",
         what: "the tables with every digit",
-        write: csv::write,
+        write: |document, _| csv::write(document),
         is_cut: false,
         has_words: false,
     },
     Format {
         id: "markdown",
         what: "tables that are readable as text too",
-        write: markdown::write,
+        write: |document, _| markdown::write(document),
         is_cut: false,
         has_words: true,
     },
@@ -67,9 +68,9 @@ pub fn format(id: &str) -> Option<&'static Format> {
     FORMATS.iter().find(|format| format.id == id)
 }
 
-/// A document in the format called `format`; `None` if there is no such format.
+/// A document in the format called `id`, in lines of at most [`text::WIDTH`] where it aligns columns; `None` if there is no such format.
 pub fn render(document: &Document, id: &str) -> Option<String> {
-    format(id).map(|format| (format.write)(document))
+    format(id).map(|format| (format.write)(document, text::WIDTH))
 }
 
 /// Why words are shown otherwise than they are in a table for people, in words that follow the name of the thing; `None` where they

@@ -1,11 +1,17 @@
-//! Text for a terminal: aligned columns, units in the heading, never more than 100 columns, no colour.
+//! Text for a terminal: aligned columns, units in the heading, no line longer than it is told, no colour.
 
 use super::cell::{only_pictures, shown};
 use super::words::plain;
 use crate::finding::{Align, Block, Cell, Column, Document, Figure, Table};
 
-/// No line is longer, in characters.
+/// Longest line where nobody tells how wide the terminal is, in characters. Prose is never wider: longer lines are hard to read.
 pub const WIDTH: usize = 100;
+
+/// Longest line of a table, in characters, on however wide a terminal: beyond it the eye loses the row.
+pub const WIDEST: usize = 160;
+
+/// A narrower terminal breaks lines itself: two columns of the widest words stand side by side in this, in characters.
+pub const NARROWEST: usize = 2 * WIDEST_WORD + GAP;
 
 /// A space at which no line is broken; written as an ordinary one.
 const NO_BREAK: &str = "\u{a0}";
@@ -19,57 +25,63 @@ const SYLLABLES: usize = 16;
 /// A longer word is broken where its column has to be narrow. Three such columns fit side by side.
 const WIDEST_WORD: usize = 30;
 
-/// A document and all pages below it.
-pub fn write(document: &Document) -> String {
-    let mut text = page(document);
+/// A document and all pages below it, in lines of at most `width` characters, taken as [`NARROWEST`] where it is less.
+pub fn write(document: &Document, width: usize) -> String {
+    let width = width.max(NARROWEST);
+    let mut text = page(document, width);
     for below in &document.pages {
-        text += &format!("\n{}\n\n", "═".repeat(WIDTH));
-        text += &write(below);
+        text += &format!("\n{}\n\n", "═".repeat(width));
+        text += &write(below, width);
     }
     text
 }
 
-/// A document without the pages below it.
-pub fn page(document: &Document) -> String {
+/// A document without the pages below it, in lines as those of [`write`].
+pub fn page(document: &Document, width: usize) -> String {
+    let width = width.max(NARROWEST);
     let mut parts = Vec::new();
     let stopped = document.stopped_early.iter();
     let opening = stopped.chain([&document.title, &document.lead]);
     parts.extend(
         opening
             .filter(|words| !words.is_empty())
-            .map(|words| paragraph("", words)),
+            .map(|words| paragraph("", words, width)),
     );
-    parts.extend(document.blocks.iter().map(block));
+    parts.extend(document.blocks.iter().map(|content| block(content, width)));
     parts.join("\n")
 }
 
-fn block(block: &Block) -> String {
+fn block(block: &Block, width: usize) -> String {
     match block {
         Block::Heading(words) => {
-            let lines = paragraph("", words);
+            let lines = paragraph("", words, width);
             let longest = lines.lines().map(length).max().unwrap_or(0);
             format!("\n{lines}{}\n", "─".repeat(longest))
         }
-        Block::Text(words) => paragraph("", words),
-        Block::List(items) => items.iter().map(|item| paragraph("  - ", item)).collect(),
-        Block::Command(command) => shell(command),
-        Block::Table(content) => table(content),
-        Block::Figure(content) => figure(content),
-        Block::Replay(replay) => paragraph("replay  ", &replay.summary()),
+        Block::Text(words) => paragraph("", words, width),
+        Block::List(items) => items
+            .iter()
+            .map(|item| paragraph("  - ", item, width))
+            .collect(),
+        Block::Command(command) => shell(command, width),
+        Block::Table(content) => table(content, width),
+        Block::Figure(content) => figure(content, width),
+        Block::Replay(replay) => paragraph("replay  ", &replay.summary(), width),
     }
 }
 
-/// One table with its title and note.
-pub fn table(table: &Table) -> String {
+/// One table with its title and note, in lines as those of [`write`].
+pub fn table(table: &Table, width: usize) -> String {
+    let width = width.max(NARROWEST);
     let mut text = String::new();
     if !table.title.is_empty() {
-        text += &paragraph("", &table.title);
+        text += &paragraph("", &table.title, width);
     }
     let columns: Vec<Sized> = (0..table.columns.len())
         .filter(|&i| !only_pictures(table, i))
         .map(|i| Sized::of(table, i))
         .collect();
-    for (number, group) in groups(&columns).into_iter().enumerate() {
+    for (number, group) in groups(&columns, width).into_iter().enumerate() {
         if number > 0 {
             text.push('\n');
         }
@@ -79,20 +91,20 @@ pub fn table(table: &Table) -> String {
         text += "  (no rows)\n";
     }
     if !table.note.is_empty() {
-        text += &format!("\n{}", paragraph("", &table.note));
+        text += &format!("\n{}", paragraph("", &table.note, width));
     }
     text
 }
 
 /// What a picture shows, for those who cannot see it here.
-fn figure(figure: &Figure) -> String {
+fn figure(figure: &Figure, width: usize) -> String {
     let points: usize = figure.series.iter().map(|series| series.points.len()).sum();
     let words = format!(
         "{}. {} ({points} points; the report and json have them)",
         figure.title.trim_end_matches('.'),
         figure.caption
     );
-    paragraph("figure  ", &words)
+    paragraph("figure  ", &words, width)
 }
 
 /// One column with the text of its cells and the widths that it can live with.
@@ -147,13 +159,13 @@ impl<'a> Sized<'a> {
     }
 }
 
-/// Columns that fit side by side, each with its width. Every group begins with the first column, which names the rows.
-fn groups(columns: &[Sized]) -> Vec<Vec<(usize, usize)>> {
+/// Columns that fit side by side into `room`, each with its width. Every group begins with the first column, which names the rows.
+fn groups(columns: &[Sized], room: usize) -> Vec<Vec<(usize, usize)>> {
     let mut groups: Vec<Vec<(usize, usize)>> = Vec::new();
     let mut group: Vec<(usize, usize)> = Vec::new();
     let width = |group: &[(usize, usize)]| group.iter().map(|(_, w)| w + GAP).sum::<usize>();
     for (index, column) in columns.iter().enumerate() {
-        if !group.is_empty() && width(&group) + column.narrowest > WIDTH {
+        if !group.is_empty() && width(&group) + column.narrowest > room {
             let first = group[0];
             groups.push(std::mem::replace(&mut group, vec![first]));
         }
@@ -163,7 +175,7 @@ fn groups(columns: &[Sized]) -> Vec<Vec<(usize, usize)>> {
         groups.push(group);
     }
     for group in &mut groups {
-        let mut spare = (WIDTH + GAP).saturating_sub(width(group));
+        let mut spare = (room + GAP).saturating_sub(width(group));
         // narrow wishes first: a word too many beside a paragraph costs nothing
         let mut wishes: Vec<usize> = (0..group.len()).collect();
         wishes.sort_by_key(|&i| columns[group[i].0].natural.saturating_sub(group[i].1));
@@ -241,11 +253,12 @@ fn unit(column: &Column) -> String {
     }
 }
 
-/// Lines no longer than the terminal; the first begins with `bullet`, the others below its text.
-fn paragraph(bullet: &str, words: &str) -> String {
+/// Prose in lines no longer than `width` and [`WIDTH`]; the first begins with `bullet`, the others below its text.
+fn paragraph(bullet: &str, words: &str, width: usize) -> String {
     let indent = length(bullet);
+    let room = width.min(WIDTH) - indent;
     let mut text = String::new();
-    for (i, line) in wrap(&plain(words), WIDTH - indent).into_iter().enumerate() {
+    for (i, line) in wrap(&plain(words), room).into_iter().enumerate() {
         let margin = if i == 0 {
             bullet.to_owned()
         } else {
@@ -258,19 +271,19 @@ fn paragraph(bullet: &str, words: &str) -> String {
 }
 
 /// A command, which stays one command when it is copied: long ones continue after a backslash, at the margin within a word.
-fn shell(command: &str) -> String {
-    const ROOM: usize = WIDTH - 8;
+fn shell(command: &str, width: usize) -> String {
+    let room = width - 8;
     let mut text = "   ".to_owned();
     let mut used = 0;
     for word in plain(command).split(' ') {
-        if used > 0 && used + 1 + length(word) > ROOM {
+        if used > 0 && used + 1 + length(word) > room {
             text += " \\\n     ";
             used = 0;
         }
         text.push(' ');
         used += 1;
         for c in word.chars() {
-            if used >= ROOM {
+            if used >= room {
                 text += "\\\n";
                 used = 0;
             }

@@ -2,7 +2,7 @@
 //!
 //! A new scene is one file and one line in [`all`]; a test compares the two.
 
-use super::{Scene, SceneError, SetName, nearest, parse};
+use super::{Scene, SceneError, SetName, nearest_names, parse};
 use crate::carried;
 
 /// One scene of the catalogue, as written.
@@ -203,7 +203,7 @@ pub fn find(name: &str) -> Option<CatalogueEntry> {
     all().iter().copied().find(|entry| entry.name == name)
 }
 
-/// The resolved scene called `name`; an unknown name is answered with the known ones.
+/// The resolved scene called `name`; an unknown name is answered with the nearest.
 pub fn scene(name: &str) -> Result<Scene, SceneError> {
     find(name).ok_or_else(|| unknown(name))?.scene()
 }
@@ -220,12 +220,11 @@ pub fn set(set: SetName) -> Result<Vec<Scene>, SceneError> {
     Ok(scenes)
 }
 
-/// The error that says that there is no scene called `name`, and which there are.
+/// The error that says that there is no scene called `name`, and which names are near.
 pub fn unknown(name: &str) -> SceneError {
-    let names: Vec<&str> = all().iter().map(|entry| entry.name).collect();
+    let near = nearest_names(name, all().iter().map(|entry| entry.name));
     SceneError::Unknown {
         name: name.to_owned(),
-        nearest: nearest(name, names.iter().copied()).map(str::to_owned),
-        known: names.join(", "),
+        nearest: near.into_iter().map(str::to_owned).collect(),
     }
 }

@@ -18,6 +18,19 @@ pub enum SetName {
 }
 
 impl SetName {
+    /// Every set, in the order in which lists have them.
+    pub const ALL: [SetName; 4] = [SetName::Report, SetName::Gate, SetName::Hard, SetName::Full];
+
+    /// What its scenes are for, in a few words.
+    pub fn what(self) -> &'static str {
+        match self {
+            SetName::Report => "in the default report",
+            SetName::Gate => "held by `carom check`",
+            SetName::Hard => "hard cases, of `carom stability`",
+            SetName::Full => "only with `--full`, as they take long",
+        }
+    }
+
     /// The word used in files.
     pub fn id(self) -> &'static str {
         match self {

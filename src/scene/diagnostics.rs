@@ -280,35 +280,54 @@ fn without_empty_gutter_before_help(rendered: &str) -> String {
 
 /// The word of `known` that `word` most likely was meant to be: at most a third of its letters differ.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let allowed = (word.chars().count() / 3).max(1);
     known
         .into_iter()
-        .map(|candidate| (edits(word, candidate), candidate))
-        .filter(|&(distance, _)| distance <= allowed)
+        .filter_map(|candidate| Some((edits(word, candidate)?, candidate)))
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, candidate)| candidate)
 }
 
-/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
-fn edits(from: &str, to: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
-    if a.len().abs_diff(b.len()) > b.len().max(3) {
-        return usize::MAX; // far apart; a word from a file may be long
+/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other; `None` where that is more
+/// than a third of the first, and more than one.
+fn edits(from: &str, to: &str) -> Option<usize> {
+    let (length, other) = (from.chars().count(), to.chars().count());
+    let allowed = (length / 3).max(1);
+    if length.abs_diff(other) > allowed {
+        return None; // a word from a file may be long, and the distance takes the product of both
     }
-    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
-    for i in 1..=a.len() {
-        let mut row = vec![i];
-        for j in 1..=b.len() {
-            let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-            let mut best = replaced.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
-            }
-            row.push(best);
+    Some(strsim::osa_distance(from, to)).filter(|&distance| distance <= allowed)
+}
+
+/// At most three names of `known` that `name` may have been meant to be, the likeliest first: those with few other letters, then those
+/// that begin with it, those that have all of its parts, as `report-break` has of `break-report`, and those that it begins with. Capitals,
+/// underscores and spaces count as what stands for them in names.
+pub fn nearest_names<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    const MOST: usize = 3;
+    /// Fewer letters are part of too many names.
+    const FEWEST_LETTERS: usize = 3;
+    let name = name.to_lowercase().replace(['_', ' '], "-");
+    let tells = name.chars().filter(|&c| c != '-').count() >= FEWEST_LETTERS;
+    // the kind of likeness, the closest first, and the number of other letters
+    let likeness = |candidate: &str| {
+        let parts = || name.split('-').all(|part| candidate.contains(part));
+        match edits(&name, candidate) {
+            Some(distance) => Some((0, distance)),
+            None if !tells => None,
+            None if candidate.starts_with(&name) => Some((1, 0)),
+            None if parts() => Some((2, 0)),
+            None if name.starts_with(candidate) => Some((3, 0)),
+            None => None,
         }
-        rows.push(row);
+    };
+    let mut near: Vec<((u8, usize), &str)> = known
+        .into_iter()
+        .filter_map(|candidate| Some((likeness(candidate)?, candidate)))
+        .collect();
+    near.sort_by_key(|&(likeness, _)| likeness);
+    if let Some(&((0, 0), same)) = near.first() {
+        return vec![same];
     }
-    rows[a.len()][b.len()]
+    near.into_iter().take(MOST).map(|(_, near)| near).collect()
 }
 
 /// Why there is no scene.
@@ -319,20 +338,24 @@ pub enum SceneError {
     #[error("{0}")]
     Invalid(Diagnostics),
     /// The catalogue has no scene of this name.
-    #[error("no scene is called `{}`; {}", printable(name), guess_or_list(nearest.as_deref(), known))]
+    #[error(
+        "no scene is called `{}`; {}`carom scene list` prints all names",
+        printable(name),
+        guess(nearest)
+    )]
     Unknown {
         /// The name that was asked for.
         name: String,
-        /// The name that was probably meant.
-        nearest: Option<String>,
-        /// All names, separated by commas.
-        known: String,
+        /// At most three names that were probably meant, the likeliest first.
+        nearest: Vec<String>,
     },
 }
 
-fn guess_or_list(nearest: Option<&str>, known: &str) -> String {
-    match nearest {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => format!("known are {known}"),
+fn guess(nearest: &[String]) -> String {
+    let quoted: Vec<String> = nearest.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.split_last() {
+        None => String::new(),
+        Some((only, [])) => format!("did you mean {only}? "),
+        Some((last, others)) => format!("did you mean {} or {last}? ", others.join(", ")),
     }
 }

@@ -32,7 +32,7 @@ mod tried;
 
 pub use builder::SceneBuilder;
 pub use choices::{SetName, Simultaneous, TimeUnit};
-pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest};
+pub use diagnostics::{Diagnostic, Diagnostics, Kind, SceneError, nearest, nearest_names};
 pub use file::{SceneFile, schema};
 pub use kebab_case::is_kebab_case;
 pub use printable::{is_hidden, printable};

@@ -1,9 +1,12 @@
 //! `carom scene` and SCENE arguments: names, paths, and what is said when neither leads to a scene.
 
-use carom::cli::scene::{check, list_document, load, resolve, schema_text, show};
+use carom::cli::scene::{check, load, resolve, schema_text, show};
+use carom::cli::scene_list::{ListArguments, document, found, lines};
 use carom::finding::{Block, Cell};
-use carom::scene::catalogue;
+use carom::report::text;
+use carom::scene::{Scene, SetName, catalogue};
 use std::fs;
+use std::process::Output;
 
 #[test]
 fn a_scene_is_named_by_the_catalogue_or_by_a_path() {
@@ -25,7 +28,14 @@ fn what_is_not_a_scene_is_answered_with_the_reason() {
             "no/such.toml",
             "cannot read no/such.toml: there is no such file",
         ),
-        ("slde", "no scene is called `slde`; did you mean `slide`?"),
+        (
+            "slde",
+            "no scene is called `slde`; did you mean `slide` or `side`? `carom scene list` prints all names",
+        ),
+        (
+            "Slide",
+            "no scene is called `Slide`; did you mean `slide`? `carom scene list` prints all names",
+        ),
     ];
     for (argument, expected) in cases {
         let error = resolve(argument).unwrap_err();
@@ -66,8 +76,8 @@ fn check_says_ok_on_one_stream_and_errors_on_the_other() {
 }
 
 #[test]
-fn the_list_has_a_row_for_every_scene() {
-    let document = list_document().unwrap();
+fn the_table_of_scenes_has_a_row_for_every_one() {
+    let document = document(&every_scene());
     let Some(Block::Table(table)) = document.blocks.first() else {
         panic!("no table in {document:?}");
     };
@@ -75,6 +85,253 @@ fn the_list_has_a_row_for_every_scene() {
     for (row, entry) in table.rows.iter().zip(catalogue::all()) {
         assert_eq!(row.len(), table.columns.len());
         assert_eq!(row[0], Cell::text(entry.name));
+        assert_eq!(row[4], Cell::text(&entry.scene().unwrap().description));
+    }
+}
+
+fn every_scene() -> Vec<Scene> {
+    found(&ListArguments::default()).unwrap()
+}
+
+fn program(arguments: &[&str]) -> Output {
+    let mut carom = assert_cmd::Command::cargo_bin("carom").unwrap();
+    carom.args(arguments).output().unwrap()
+}
+
+/// What `carom scene list` prints with these options besides.
+fn listed(options: &[&str]) -> String {
+    let output = program(&[&["scene", "list"], options].concat());
+    assert_eq!(output.status.code(), Some(0), "{options:?}");
+    assert!(output.stderr.is_empty(), "{options:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Names of the scenes of a printed list, in order.
+fn names(list: &str) -> Vec<&str> {
+    let scenes = list
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.strip_prefix("  "));
+    scenes.map(|line| line.split(' ').next().unwrap()).collect()
+}
+
+#[test]
+fn the_list_has_one_line_a_scene_below_the_first_set_of_it() {
+    let list = listed(&[]);
+    let scenes = every_scene();
+    // the heading; a blank line and a heading a set; a blank line and the last one
+    let sets = SetName::ALL.len();
+    assert_eq!(list.lines().count(), 1 + 2 * sets + scenes.len() + 2);
+    for line in list.lines() {
+        assert!(line.chars().count() <= text::WIDTH, "{line}");
+    }
+    assert!(
+        list.lines()
+            .last()
+            .unwrap()
+            .contains("`carom scene show NAME`"),
+        "{list}"
+    );
+    let mut expected = Vec::new();
+    for set in SetName::ALL {
+        let first = |scene: &&Scene| scene.sets.first() == Some(&set);
+        let names: Vec<&str> = scenes
+            .iter()
+            .filter(first)
+            .map(|scene| scene.name.as_str())
+            .collect();
+        let heading = format!("{} ({}): {}\n", set.id(), names.len(), set.what());
+        assert!(list.contains(&heading), "no {heading}");
+        expected.extend(names);
+    }
+    assert_eq!(names(&list), expected);
+    for scene in &scenes {
+        let begins = format!("  {} ", scene.name);
+        let line = list.lines().find(|line| line.starts_with(&begins)).unwrap();
+        let rest = line[begins.len()..].trim_start();
+        let (balls, what) = rest.split_once("  ").unwrap();
+        assert_eq!(balls, scene.balls.len().to_string(), "{line}");
+        let kept = what.trim_end_matches('…');
+        assert!(
+            kept.len() > 10 && scene.description.starts_with(kept),
+            "{line}"
+        );
+        // whole sentences end, others are marked
+        let after = &scene.description[kept.len()..];
+        let ends = after.is_empty() || after == "." || after.starts_with(". ");
+        assert_eq!(ends, kept == what, "{line}");
+    }
+}
+
+#[test]
+fn a_wider_terminal_shows_more_of_a_description() {
+    let scenes = every_scene();
+    let mut shown = 0;
+    for width in [text::NARROWEST, 80, 100, 130, text::WIDEST] {
+        let list = lines(&scenes, None, width);
+        let longest = list.lines().map(|line| line.chars().count()).max();
+        assert!(longest <= Some(width), "{width}: {longest:?}\n{list}");
+        assert_eq!(names(&list).len(), scenes.len(), "{width}");
+        assert!(list.len() > shown, "{width} shows no more\n{list}");
+        shown = list.len();
+    }
+}
+
+#[test]
+fn filters_of_the_list_hold_together() {
+    let scenes = every_scene();
+    let has = |scene: &Scene, word: &str| {
+        scene.name.contains(word) || scene.description.to_lowercase().contains(word)
+    };
+    let of = |scene: &Scene, id: &str| scene.effects.named().iter().any(|one| one.starts_with(id));
+    type Wanted<'a> = Box<dyn Fn(&Scene) -> bool + 'a>;
+    let cases: [(&[&str], Wanted); 9] = [
+        (&["rack"], Box::new(|scene| has(scene, "rack"))),
+        (&["RACK"], Box::new(|scene| has(scene, "rack"))),
+        (
+            &["rack", "loss"],
+            Box::new(|scene| has(scene, "rack") && has(scene, "loss")),
+        ),
+        (
+            &["--set", "gate"],
+            Box::new(|scene| scene.is_in(SetName::Gate)),
+        ),
+        (
+            &["--set", "full"],
+            Box::new(|scene| scene.is_in(SetName::Full)),
+        ),
+        (
+            &["--effect", "contact"],
+            Box::new(|scene| of(scene, "contact.")),
+        ),
+        (
+            &["--effect", "cloth.rotational"],
+            Box::new(|scene| of(scene, "cloth.rotational")),
+        ),
+        (
+            &["--effect", "pockets"],
+            Box::new(|scene| of(scene, "pockets")),
+        ),
+        (
+            &["throw", "--effect", "friction.constant", "--set", "gate"],
+            Box::new(|scene| {
+                has(scene, "throw") && of(scene, "friction.constant") && scene.is_in(SetName::Gate)
+            }),
+        ),
+    ];
+    for (options, wanted) in cases {
+        let mut expected: Vec<&str> = scenes
+            .iter()
+            .filter(|scene| wanted(scene))
+            .map(|scene| scene.name.as_str())
+            .collect();
+        assert!(
+            !expected.is_empty() && expected.len() < scenes.len(),
+            "{options:?} chooses nothing"
+        );
+        let csv = listed(&[options, &["--format", "csv"]].concat());
+        let mut reader = csv::Reader::from_reader(csv.as_bytes());
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        let found: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
+        assert_eq!(found, expected, "{options:?}");
+        for row in &rows {
+            let scene = catalogue::scene(&row[0]).unwrap();
+            assert_eq!(row[4], scene.description);
+        }
+        let text = listed(options);
+        let mut shown = names(&text);
+        // by sets there, in the order of the catalogue here
+        shown.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(shown, expected, "{options:?}");
+    }
+    // whoever asks for a set sees that set
+    let gate = listed(&["--set", "gate"]);
+    assert!(
+        gate.contains("\ngate (") && !gate.contains("\nreport ("),
+        "{gate}"
+    );
+}
+
+#[test]
+fn an_unknown_set_or_effect_is_answered_with_the_known_ones() {
+    for (option, known) in [
+        ("--set", ["report", "gate", "hard", "full"]),
+        (
+            "--effect",
+            ["contact", "cloth.rotational", "friction", "pockets"],
+        ),
+    ] {
+        let output = program(&["scene", "list", option, "snooker"]);
+        assert_eq!(output.status.code(), Some(2), "{option}");
+        assert!(output.stdout.is_empty(), "{option}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.contains("`snooker`") || said.contains("'snooker'"),
+            "{said}"
+        );
+        for word in known {
+            assert!(said.contains(word), "{option} does not name {word}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_list_without_scenes_says_so_in_every_format() {
+    for format in ["text", "json", "markdown", "csv"] {
+        let output = program(&["scene", "list", "snooker", "--format", format]);
+        assert_eq!(output.status.code(), Some(0), "{format}");
+        let said = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(
+            said.contains("No scene has all of that"),
+            "{format}: {said}"
+        );
+    }
+}
+
+/// The errors named all 150 scenes.
+#[test]
+fn every_command_answers_an_unknown_scene_with_at_most_three_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let out = out.to_str().unwrap();
+    let commands: [&[&str]; 12] = [
+        &["run", "NAME", "--engine", "exact", "--out", out],
+        &["compare", "NAME"],
+        &["report", "slide", "NAME", "--out", out],
+        &["cost", "NAME"],
+        &["horizon", "NAME"],
+        &["ensemble", "NAME", "--samples", "10", "--seed", "1"],
+        &["effects", "NAME"],
+        &["play", "NAME"],
+        &["check", "NAME"],
+        &["stability", "NAME"],
+        &["scene", "show", "NAME"],
+        &["scene", "check", "NAME"],
+    ];
+    for (name, nearest) in [
+        ("report-brake", "did you mean `report-break`"),
+        ("rack", "did you mean `rack-frozen-central`"),
+        ("snooker", ""),
+    ] {
+        for command in commands {
+            let arguments: Vec<&str> = command
+                .iter()
+                .map(|&word| if word == "NAME" { name } else { word })
+                .collect();
+            let output = program(&arguments);
+            assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+            let said = String::from_utf8(output.stderr).unwrap();
+            assert!(
+                said.contains(&format!("no scene is called `{name}`; {nearest}")),
+                "{arguments:?}: {said}"
+            );
+            assert!(said.contains("`carom scene list`"), "{arguments:?}: {said}");
+            // the name itself, three others and the command
+            assert!(said.matches('`').count() <= 10, "{arguments:?}: {said}");
+            let list = "known are";
+            assert!(!said.contains(list), "{arguments:?}: {said}");
+        }
     }
 }
 

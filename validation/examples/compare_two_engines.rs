@@ -4,7 +4,7 @@
 use carom::engine::{Limits, Roster};
 use carom::page::answer::summary;
 use carom::page::compare::LengthUnit;
-use carom::report::FORMATS;
+use carom::report::{FORMATS, text};
 use carom::study::{Answer, Configuration, Timing, Watch};
 use std::error::Error;
 
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let answer = Answer::to(&scene, &columns, Timing::None, most, Watch::NONE)?;
     print!(
         "{}",
-        (FORMATS[0].write)(&summary(&answer, LengthUnit::Radius))
+        (FORMATS[0].write)(&summary(&answer, LengthUnit::Radius), text::WIDTH)
     );
     Ok(())
 }

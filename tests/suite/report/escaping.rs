@@ -282,7 +282,7 @@ proptest! {
         let Block::Table(table) = &document.blocks[3] else { unreachable!("it is the fourth") };
         let one = Table { columns: table.columns[..1].to_vec(), rows: vec![vec![Cell::text(&name)]], ..Table::default() };
         let close = |text: &str| text.split_whitespace().collect::<String>();
-        prop_assert!(close(&text::table(&one)).contains(&close(&in_cell(&name))));
+        prop_assert!(close(&text::table(&one, text::WIDTH)).contains(&close(&in_cell(&name))));
     }
 
     #[test]

@@ -287,13 +287,50 @@ fn every_format_has_every_cell_of_every_table() {
 }
 
 #[test]
-fn text_is_never_wider_than_a_terminal() {
-    for line in render(&sample::report(), "text").lines() {
-        assert!(
-            line.chars().count() <= text::WIDTH,
-            "{} columns: {line}",
-            line.chars().count()
-        );
+fn text_is_never_wider_than_a_terminal_and_uses_what_it_has() {
+    let document = sample::report();
+    assert_eq!(
+        render(&document, "text"),
+        text::write(&document, text::WIDTH)
+    );
+    let longest = |width: usize| {
+        let text = text::write(&document, width);
+        text.lines().map(|line| line.chars().count()).max()
+    };
+    for width in [text::NARROWEST, 80, text::WIDTH, 132, text::WIDEST] {
+        // the rule between two pages is as long as a line may be
+        assert_eq!(longest(width), Some(width));
+    }
+    assert_eq!(longest(0), Some(text::NARROWEST));
+}
+
+#[test]
+fn a_wide_terminal_has_tables_of_its_width_and_prose_that_can_be_read() {
+    let words = "of many words ".repeat(30);
+    let table = Table {
+        id: "wide".into(),
+        columns: vec![Column::words("a", "a"), Column::words("b", "b")],
+        rows: vec![vec![Cell::text("name"), Cell::text(words.trim_end())]],
+        note: words.clone(),
+        ..Table::default()
+    };
+    let longest = |text: &str| text.lines().map(|line| line.chars().count()).max();
+    for width in [text::WIDTH, text::WIDEST] {
+        let text = text::table(&table, width);
+        let (grid, note) = text.split_once("\n\n").unwrap();
+        // the rule below the heading is as long as its columns are wide
+        assert_eq!(longest(grid), Some(width), "{text}");
+        assert!(longest(note) <= Some(text::WIDTH), "{text}");
+        let document = Document {
+            blocks: vec![
+                Block::Text(words.clone()),
+                Block::List(vec![words.clone()]),
+                Block::Heading(words.clone()),
+            ],
+            ..Document::default()
+        };
+        let prose = text::write(&document, width);
+        assert!(longest(&prose) <= Some(text::WIDTH), "{prose}");
     }
 }
 
@@ -308,7 +345,7 @@ fn a_wide_table_is_split_and_every_part_names_its_rows() {
         rows: vec![(0..12).map(|i| Cell::Fixed(f64::from(i), 6)).collect()],
         note: String::new(),
     };
-    let text = text::table(&table);
+    let text = text::table(&table, text::WIDTH);
     let headings: Vec<&str> = text
         .lines()
         .filter(|line| line.contains("column-"))
@@ -317,6 +354,12 @@ fn a_wide_table_is_split_and_every_part_names_its_rows() {
     for heading in headings {
         assert!(heading.contains("column-0"), "no names in: {heading}");
     }
+    let wide = text::table(&table, text::WIDEST);
+    assert_eq!(
+        wide.matches("column-0").count(),
+        1,
+        "12 columns of 9 do not fit into 160?\n{wide}"
+    );
 }
 
 #[test]
@@ -607,6 +650,10 @@ proptest! {
     fn any_document_can_be_written_in_any_format(document in random::document()) {
         let text = render(&document, "text");
         prop_assert!(text.lines().all(|line| line.chars().count() <= text::WIDTH), "{}", text);
+        for width in [text::NARROWEST, text::WIDEST] {
+            let text = text::write(&document, width);
+            prop_assert!(text.lines().all(|line| line.chars().count() <= width), "{}: {}", width, text);
+        }
         let json: Result<serde_json::Value, _> = serde_json::from_str(&render(&document, "json"));
         prop_assert!(json.is_ok(), "{:?}", json);
         for (path, content) in report::site(&document) {
