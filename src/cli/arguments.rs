@@ -1,6 +1,7 @@
 //! The command line as types. Choices derive from the lists of engines and formats.
 
 use super::Failure;
+use super::choice::choice;
 use super::scene::SceneCommand;
 use crate::engine::{Limits, Preset, Roster};
 use crate::oracle::Precision;
@@ -8,7 +9,7 @@ use crate::page::compare::LengthUnit;
 use crate::report::{FORMATS, Format};
 use crate::study::Configuration;
 use crate::study::cost::Grid;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::TypedValueParser;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -383,15 +384,6 @@ impl Default for ReportArguments {
             format: FORMATS[0],
         }
     }
-}
-
-/// One of the words of a list, as the value that it names. A word that passes the list names one of them: the first is never taken.
-pub(super) fn choice<T: Clone + Send + Sync + 'static>(
-    all: &'static [T],
-    id: fn(&T) -> &'static str,
-) -> impl TypedValueParser<Value = T> {
-    let find = move |word: String| all.iter().find(|one| id(one) == word).unwrap_or(&all[0]);
-    PossibleValuesParser::new(all.iter().map(id)).map(move |word| find(word).clone())
 }
 
 fn formats() -> impl TypedValueParser<Value = Format> {

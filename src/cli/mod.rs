@@ -6,6 +6,7 @@ mod accepted;
 mod arguments;
 mod bounds;
 mod check;
+mod choice;
 mod compare;
 mod cost;
 mod diff;

@@ -1,6 +1,6 @@
 //! `carom scene list`: the catalogue for a person who looks for a scene, one line each, and as a table for programs.
 
-use super::arguments::choice;
+use super::choice::choice;
 use super::{Failure, terminal};
 use crate::finding::{Block, Cell, Column, Document, Table};
 use crate::physics::EFFECTS;

@@ -37,7 +37,9 @@ impl Absence<'_> {
     /// Its kind.
     pub fn lack(self) -> Lack {
         match self {
-            Absence::NotAsked | Absence::Stopped => Lack::NotAsked,
+            Absence::NotAsked | Absence::Stopped | Absence::Refused(Refusal::Stopped) => {
+                Lack::NotAsked
+            }
             Absence::Refused(_) => Lack::Refused,
             Absence::Ended(trace) => match trace.ending {
                 Ending::Cancelled => Lack::NotAsked,

@@ -36,7 +36,7 @@ pub fn write(document: &Document, width: usize) -> String {
     text
 }
 
-/// A document without the pages below it, in lines as those of [`write`].
+/// A document without the pages below it, in lines as those of [`write()`].
 pub fn page(document: &Document, width: usize) -> String {
     let width = width.max(NARROWEST);
     let mut parts = Vec::new();
@@ -70,7 +70,7 @@ fn block(block: &Block, width: usize) -> String {
     }
 }
 
-/// One table with its title and note, in lines as those of [`write`].
+/// One table with its title and note, in lines as those of [`write()`].
 pub fn table(table: &Table, width: usize) -> String {
     let width = width.max(NARROWEST);
     let mut text = String::new();

@@ -2,8 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use carom::engine::{Limits, Roster};
-use carom::page::answer::summary;
-use carom::page::compare::LengthUnit;
+use carom::page::{answer::summary, compare::LengthUnit};
 use carom::report::{FORMATS, text};
 use carom::study::{Answer, Configuration, Timing, Watch};
 use std::error::Error;
