@@ -2,30 +2,30 @@
 
 use crate::compare::METRICS;
 use crate::finding::{Cell, Column, Table};
-use crate::study::compare::ComparisonOutcome;
+use crate::study::compare::{ComparisonEntry, ComparisonOutcome};
 
-/// One row a metric, one column an engine, or a pair where there is no reference.
+/// One row a metric, one column an engine; where there is no reference also one a pair.
 pub fn table(outcome: &ComparisonOutcome) -> Table {
+    let engines: Vec<String> = outcome.entries.iter().map(ComparisonEntry::label).collect();
     let mut labels: Vec<&str> = Vec::new();
     for finding in &outcome.findings {
-        if !labels.contains(&finding.engine.as_str()) {
-            labels.push(&finding.engine);
+        let label = finding.engine.as_str();
+        let is_told = outcome.reference.is_none() || engines.iter().any(|known| known == label);
+        if is_told && !labels.contains(&label) {
+            labels.push(label);
         }
     }
     let mut columns = vec![
         Column::words("metric", "metric"),
         Column::words("unit", "unit"),
-        Column::words("what", "what it is"),
     ];
     columns.extend(labels.iter().map(|label| Column::number(label, label, "")));
+    columns.push(Column::words("what", "what it is"));
     let rows = METRICS.iter().map(|metric| {
-        let mut row = vec![
-            Cell::text(metric.id),
-            Cell::text(metric.unit),
-            Cell::text(metric.what),
-        ];
+        let mut row = vec![Cell::text(metric.id), Cell::text(metric.unit)];
         let worst = |label: &&str| outcome.worst(label, metric.id).map(|(value, _)| value);
         row.extend(labels.iter().map(|label| Cell::maybe(worst(label))));
+        row.push(Cell::text(metric.what));
         row
     });
     Table {
