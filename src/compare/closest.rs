@@ -18,11 +18,10 @@ pub fn closest_hits(trace: &Trace, cushions: bool) -> Option<ClosestHits> {
     let mut last: Vec<Option<f64>> = vec![None; trace.balls.len()];
     let mut closest: Option<ClosestHits> = None;
     for event in trace.collisions() {
-        let (first, second) = event.kind.balls();
-        if second.is_none() && !cushions {
+        if !cushions && event.kind.each_ball().count() < 2 {
             continue;
         }
-        for ball in [Some(first), second].into_iter().flatten() {
+        for ball in event.kind.each_ball() {
             let Some(before) = last[ball].replace(event.time) else {
                 continue;
             };

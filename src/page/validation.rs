@@ -155,13 +155,13 @@ fn capitalised(sentence: String) -> String {
 
 /// Why two engines part in a scene: what moved the first of them to leave the exact solution.
 fn reason(outcome: &ComparisonOutcome, rivals: [&Configuration; 2]) -> String {
-    if outcome.reference.is_none() {
+    if let Some((lack, _)) = &outcome.no_reference {
         let solver = oracle::engine().id();
-        return match outcome.lack {
-            Some(Lack::NotUnique(_)) => "simultaneous hits leave no single right answer".to_owned(),
-            Some(Lack::StoppedAt(time)) => format!("{solver} stopped at t = {time:.4} s"),
-            Some(Lack::Refused) => format!("{solver} refuses the scene"),
-            Some(Lack::NotAsked) | None => format!("{solver} was not asked"),
+        return match lack {
+            Lack::NotUnique(_) => "simultaneous hits leave no single right answer".to_owned(),
+            Lack::StoppedAt(time) => format!("{solver} stopped at t = {time:.4} s"),
+            Lack::Refused => format!("{solver} refuses the scene"),
+            Lack::NotAsked => format!("{solver} was not asked"),
         };
     }
     let labels = rivals.map(Configuration::label);

@@ -200,6 +200,7 @@ fn without_an_exact_answer_the_engines_are_held_against_each_other() {
             .no_reference
             .as_ref()
             .unwrap()
+            .1
             .contains("indeterminate")
     );
     assert!(outcome.entries.iter().all(|entry| entry.standing.is_none()));

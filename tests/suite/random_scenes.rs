@@ -26,7 +26,7 @@ fn watch(cancelled: &AtomicBool) -> Watch<'_> {
 }
 
 /// Indices of scenes of seed 2 in which something broke, once, and what.
-const ONCE_BROKEN: [(u64, &str); 12] = [
+const ONCE_BROKEN: [(u64, &str); 16] = [
     (
         3360,
         "a ball in contact that passed zero speed at a small distance was told to stop at .39 a second, by a series that did not converge so far",
@@ -68,6 +68,19 @@ const ONCE_BROKEN: [(u64, &str); 12] = [
     (
         436_063,
         "late in a run one tick of the clock is longer than a slide",
+    ),
+    (
+        643_503,
+        "a gap that is rounding, between a cushion and a ball at rest, was closed by going 3e-7 along both",
+    ),
+    (
+        656_987,
+        "a run in more digits passed over an impact that it did not see: a ball was turned back 5e-4 s late, while it parted",
+    ),
+    (724_323, "the same: a stop was told at ten times its time"),
+    (
+        874_907,
+        "what no number holds, handed over to more digits, was followed as numbers that are none",
     ),
 ];
 

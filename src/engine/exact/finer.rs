@@ -178,7 +178,10 @@ impl<T: Real> Loop<'_, T> {
             balls,
             journal: self.journal.handed_over(),
         };
-        let (events, mut ending) = fine.until_calm(from.longest, most, &mut expected, limits);
+        let (events, mut ending) = match fine.untold() {
+            None => fine.until_calm(from.longest, most, &mut expected, limits),
+            untold => (0, untold),
+        };
         let mut taken = fine.hand_over();
         let changed = |ball: usize| fine.balls.version(ball) != expected.versions[ball];
         taken.balls.retain(|m| changed(m.ball));
@@ -193,6 +196,7 @@ impl<T: Real> Loop<'_, T> {
         }
         coarse.balls.advance(taken.time.widen());
         let set_off = take_up(&mut coarse.balls, &taken, &[]);
+        ending = ending.or_else(|| coarse.untold());
         coarse.predict_all(&set_off);
         if events == 0 && ending.is_none() {
             // it does not see what this one sees, which is then for this one to say

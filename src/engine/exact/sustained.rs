@@ -2,7 +2,7 @@
 
 use super::cluster_impact::ClusterImpact;
 use super::contact::decide::{Undetermined, decide, member, member_as_is, tidy};
-use super::contact::group::{Change, Group, Hold, Member, Mode, Touch, Twist, loudest};
+use super::contact::group::{Change, Hold, Member, Mode, Touch, Twist, loudest};
 use super::contact::held::Held;
 use super::contact::touching::{
     Gathered, Steady, Touched, calm, components, keep_contacts, rate, slowest, touching,
@@ -30,11 +30,13 @@ impl<T: Real> Loop<'_, T> {
         closing <= slowest(&self.balls, encounter, &steady)
     }
 
-    /// Takes up a group and predicts what its balls meet.
-    pub(super) fn hold(&mut self, held: Held<T>) {
+    /// Takes up a group and predicts what its balls meet; answers whether that ends the run.
+    fn hold(&mut self, held: Held<T>) -> Option<Ending> {
         let balls: Vec<usize> = held.group.members.iter().map(|m| m.ball).collect();
         self.balls.hold(held);
+        let ending = self.untold();
         self.predict_all(&balls);
+        ending
     }
 
     /// Predicts the next events of balls that have set off together.
@@ -67,19 +69,14 @@ impl<T: Real> Loop<'_, T> {
                 let why = "the motion of balls in contact turns within ever shorter times";
                 return Some(Ending::Collapsed(self.balls.spot(&balls, why)));
             }
-            let arc = stretch(&self.balls, &group);
-            if !arc.is_told() {
-                return Some(self.untold(&group));
-            }
-            self.hold(Held {
-                arc,
+            return self.hold(Held {
+                arc: stretch(&self.balls, &group),
                 group,
                 start: self.balls.now(),
                 stuck: held.stuck,
                 unchanged: held.unchanged + 1,
                 beyond,
             });
-            return None;
         }
         // no ball gets as fast meanwhile as rounding tells
         let moment = world.blur.speed / world.strongest();
@@ -111,16 +108,18 @@ impl<T: Real> Loop<'_, T> {
         self.go_on(gathered, &gone, &changes, stuck)
     }
 
-    /// The end of a run whose balls in contact no series tells: they are left where and as they are.
-    #[cold]
-    fn untold(&mut self, group: &Group<T>) -> Ending {
+    /// The end of a run with a group whose motion no series tells; its balls are left where and as they are.
+    pub(super) fn untold(&mut self) -> Option<Ending> {
+        let mut groups = self.balls.contacts().held().iter();
+        let first = groups.find(|held| !held.arc.is_told())?;
+        let group = self.balls.let_go(first.group.members[0].ball)?.group;
         for m in &group.members {
             let course = self.balls.course(m.ball, m.moving);
             self.balls.set_off(m.ball, &course);
         }
         let balls: Vec<usize> = group.members.iter().map(|m| m.ball).collect();
         let why = "the motion of balls in contact turns within a time that no number holds";
-        Ending::Collapsed(self.balls.spot(&balls, why))
+        Some(Ending::Collapsed(self.balls.spot(&balls, why)))
     }
 
     /// What a member does whose slip has ended.
@@ -186,9 +185,6 @@ impl<T: Real> Loop<'_, T> {
                 group.members = calmed;
             }
             let arc = stretch(&self.balls, &group);
-            if !arc.is_told() {
-                return Some(self.untold(&group));
-            }
             self.balls.hold(Held {
                 arc,
                 group,
@@ -197,6 +193,9 @@ impl<T: Real> Loop<'_, T> {
                 unchanged: 0,
                 beyond: Vec::new(),
             });
+        }
+        if let Some(ending) = self.untold() {
+            return Some(ending);
         }
         for touch in &decision.parting {
             self.balls.part(touch.encounter(&members));

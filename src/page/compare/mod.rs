@@ -143,8 +143,8 @@ pub fn headline(outcome: &ComparisonOutcome) -> String {
         format!("{} {}", listed(&labels), what.replace('~', ending))
     });
     let mut sentences: Vec<String> = sentences.collect();
-    if let (None, Some(why)) = (outcome.reference, &outcome.no_reference) {
-        sentences.push(format!("{}: {why}", lacking(outcome)));
+    if let Some((lack, why)) = &outcome.no_reference {
+        sentences.push(format!("{}: {why}", lacking(*lack)));
         sentences.extend(
             outcome
                 .pairs
@@ -157,13 +157,13 @@ pub fn headline(outcome: &ComparisonOutcome) -> String {
 }
 
 /// Why there is nothing to hold the engines against: the physics has no one answer, or the reference stopped, refused, or was not asked.
-fn lacking(outcome: &ComparisonOutcome) -> String {
+fn lacking(lack: Lack) -> String {
     let solver = oracle::engine().id();
-    match outcome.lack {
-        Some(Lack::NotUnique(time)) => format!("No single right answer from t = {time:.4} s on"),
-        Some(Lack::StoppedAt(time)) => format!("{solver} stopped at t = {time:.4} s"),
-        Some(Lack::Refused) => format!("{solver} refuses the scene"),
-        Some(Lack::NotAsked) | None => "Nothing to hold the engines against".to_owned(),
+    match lack {
+        Lack::NotUnique(time) => format!("No single right answer from t = {time:.4} s on"),
+        Lack::StoppedAt(time) => format!("{solver} stopped at t = {time:.4} s"),
+        Lack::Refused => format!("{solver} refuses the scene"),
+        Lack::NotAsked => "Nothing to hold the engines against".to_owned(),
     }
 }
 
@@ -215,8 +215,8 @@ fn reference_line(outcome: &ComparisonOutcome) -> String {
             "No reference: {}.",
             outcome
                 .no_reference
-                .as_deref()
-                .unwrap_or("no run is complete")
+                .as_ref()
+                .map_or("no run is complete", |(_, why)| why)
         ),
     }
 }

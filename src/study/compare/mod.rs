@@ -35,10 +35,8 @@ pub struct ComparisonOutcome {
     pub entries: Vec<ComparisonEntry>,
     /// Index of the entry that all others are held against; `None` where the exact engine has no answer.
     pub reference: Option<usize>,
-    /// Why there is no reference, in one sentence.
-    pub no_reference: Option<String>,
-    /// Which kind of reason that is.
-    pub lack: Option<Lack>,
+    /// Why there is no reference: the kind of reason, and in one sentence.
+    pub no_reference: Option<(Lack, String)>,
     /// Up to which event the reference can be believed; `None` without a reference, or with one in a precision that has no finer one.
     pub horizon: Option<Horizon>,
     /// How a perturbation of the reference grows: of a scene of few balls and events, since it takes a matrix an event.
@@ -128,13 +126,6 @@ impl ComparisonOutcome {
         self.findings
             .iter()
             .filter(move |f| f.engine == engine && f.metric == metric)
-    }
-
-    /// True where the user asked to stop before the run of the reference had come to its end.
-    pub fn reference_was_stopped(&self) -> bool {
-        let own = |entry: &&ComparisonEntry| is_reference(&entry.column);
-        let mut own = self.entries.iter().filter(own);
-        own.any(|entry| matches!(entry.cell, Err(Refusal::Stopped)))
     }
 
     /// Time up to which the reference can be believed, s; infinite for a whole shot, and where nothing is known.
@@ -242,7 +233,6 @@ fn conclude(
         entries,
         reference: None,
         no_reference: None,
-        lack: None,
         horizon: None,
         growth: None,
         pairs: Vec::new(),
@@ -264,8 +254,8 @@ fn conclude(
             }
         }
         Err(absence) => {
-            outcome.lack = Some(absence.lack());
-            outcome.no_reference = Some(absence.in_words(crate::words::describe_ending));
+            let why = absence.in_words(crate::words::describe_ending);
+            outcome.no_reference = Some((absence.lack(), why));
         }
     }
     stand_alone(&mut outcome);

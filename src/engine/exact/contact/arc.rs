@@ -427,10 +427,13 @@ fn misleads<'a, T: Real>(
     let left = |change: Change| match change {
         Change::Stops(i) => Some(equations.velocity[i].map(value)),
         Change::Rolls(i) => {
-            let radius = world.radius[group.members[i].ball];
-            let [x, y] = equations.velocity[i].map(value);
-            let [wx, wy, _] = equations.spin[i].map(value);
-            Some([x - wy * radius, y + wx * radius])
+            let member = &group.members[i];
+            let moving = Moving {
+                velocity: equations.velocity[i].map(value),
+                spin: equations.spin[i].map(value),
+                ..member.moving
+            };
+            Some(moving.slip(world.radius[member.ball]))
         }
         _ => None,
     };
